@@ -1,0 +1,84 @@
+// Ids, flags and numeric constants shared by host and shaders. Compiled as C++ and as GLSL.
+#ifndef VKPT_SHARED_CONSTANTS_H
+#define VKPT_SHARED_CONSTANTS_H
+
+#ifdef __cplusplus
+#include <cstdint>
+#define VKPT_CONST inline constexpr
+namespace vkpt {
+using uint = std::uint32_t;
+#else
+#define VKPT_CONST const
+#endif
+
+VKPT_CONST uint kNone = 0xffffffffu;
+
+// TriangleRecord.flags
+VKPT_CONST uint kTriangleSingleSided = 1u;    // absent when met from behind
+VKPT_CONST uint kTriangleHasAlpha = 2u;       // MASK or BLEND: the hit must be confirmed
+VKPT_CONST uint kTriangleMaterialShift = 8u;  // material index above
+
+// MaterialRecord.flags
+VKPT_CONST uint kMaterialAlphaMask = 1u;   // alphaMode MASK
+VKPT_CONST uint kMaterialAlphaBlend = 2u;  // alphaMode BLEND
+VKPT_CONST uint kMaterialDoubleSided = 4u;
+VKPT_CONST uint kMaterialUnlit = 8u;
+VKPT_CONST uint kMaterialVertexColor = 16u; // COLOR_0 multiplies the base colour
+
+// TextureRecord.flags. Wrap fields hold kWrap*.
+VKPT_CONST uint kTextureSrgb = 1u;     // decode R, G and B before filtering
+VKPT_CONST uint kTextureNearest = 2u;
+VKPT_CONST uint kTextureUv1 = 4u;      // read TEXCOORD_1
+VKPT_CONST uint kTextureWrapSShift = 4u;
+VKPT_CONST uint kTextureWrapTShift = 6u;
+VKPT_CONST uint kTextureWrapMask = 3u;
+VKPT_CONST uint kWrapRepeat = 0u;
+VKPT_CONST uint kWrapClamp = 1u;
+VKPT_CONST uint kWrapMirror = 2u;
+
+// Octahedral packing [Cigolle 14]: x in the low half, y in the high half, two's complement snorm (q / max).
+// Normals: 16 bits each, max 32767. Tangents: 15 bits x (bits 0-14), 15 bits y (bits 15-29), max 16383;
+// bit 31 is set where the handedness w is -1.
+VKPT_CONST float kOctNormalMax = 32767.0f;
+VKPT_CONST float kOctTangentMax = 16383.0f;
+
+// LightRecord.kind
+VKPT_CONST uint kLightTriangle = 0u;
+VKPT_CONST uint kLightTriangleTwoSided = 1u;
+VKPT_CONST uint kLightPoint = 2u;
+VKPT_CONST uint kLightSpot = 3u;
+VKPT_CONST uint kLightDirectional = 4u;
+VKPT_CONST uint kLightEnvironment = 5u;
+
+// RenderParams
+VKPT_CONST uint kProjectionPerspective = 0u;
+VKPT_CONST uint kProjectionOrthographic = 1u;
+VKPT_CONST uint kBackgroundEnvironment = 0u;
+VKPT_CONST uint kBackgroundTransparent = 1u;
+VKPT_CONST uint kBackgroundColor = 2u;
+VKPT_CONST uint kRouletteOff = 0u;
+VKPT_CONST uint kRouletteThroughput = 1u;
+VKPT_CONST uint kRouletteFixed = 2u;
+
+// Rays: part of the key of the stochastic alpha test.
+VKPT_CONST uint kRayPath = 0u;
+VKPT_CONST uint kRayShadow = 1u;
+
+// Salts that keep the uses of the hash apart.
+VKPT_CONST uint kSaltAlpha = 0xa1fau;
+VKPT_CONST uint kSaltOwen = 0x0e11u;
+
+VKPT_CONST uint kFilmFractionBits = 48u;
+VKPT_CONST uint kSobolDimensions = 3667u;
+VKPT_CONST uint kWideNodeLeafItems = 3u;   // a leaf holds 1 to 3 items
+
+VKPT_CONST float kPi = 3.14159265358979323846f;
+VKPT_CONST float kInvPi = 0.31830988618379067154f;
+VKPT_CONST float kDeltaAlpha = 1e-4f;      // a microfacet lobe below this alpha is a delta lobe
+VKPT_CONST float kDielectricF0 = 0.04f;    // glTF's default index of refraction, 1.5
+VKPT_CONST float kOffsetScale = 1.9073486e-6f;  // ray origins leave a surface by this x the magnitude: 2^-19
+
+#ifdef __cplusplus
+}  // namespace vkpt
+#endif
+#endif

@@ -1,0 +1,25 @@
+// Every sampler dimension an estimator uses, by name. estimator.md says what each decides.
+#ifndef VKPT_SHARED_DIMENSIONS_H
+#define VKPT_SHARED_DIMENSIONS_H
+#include "constants.h"
+#ifdef __cplusplus
+namespace vkpt {
+#endif
+
+// Camera: 0 to 7.
+VKPT_CONST uint kDimFilter = 0u;  // 2D: position in the pixel
+VKPT_CONST uint kDimLens = 2u;    // 2D: reserved
+
+// Bounce b (0 at the first surface): kDimBounce + b * kDimBounceStride + one of the following.
+VKPT_CONST uint kDimBounce = 8u;
+VKPT_CONST uint kDimBounceStride = 16u;
+VKPT_CONST uint kDimLobe = 0u;      // which lobe of the BSDF
+VKPT_CONST uint kDimRoulette = 1u;  // Russian roulette
+VKPT_CONST uint kDimBsdf = 2u;      // 2D: direction
+VKPT_CONST uint kDimLight = 4u;     // which light
+VKPT_CONST uint kDimLightPoint = 6u;  // 2D: position on the light
+
+#ifdef __cplusplus
+}  // namespace vkpt
+#endif
+#endif

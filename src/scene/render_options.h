@@ -1,0 +1,35 @@
+// One immutable description of a render: what the command line says, resolved. Both backends read it.
+#pragma once
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "layout.h"
+#include "registry.h"
+
+namespace vkpt {
+
+/// What is rendered. RenderParams carries everything both sides' estimators read.
+struct RenderOptions {
+    RenderParams params{};
+    SamplerId sampler = SamplerId::Sobol;
+    std::uint32_t sampleBegin = 0, sampleEnd = 64;  ///< range of sample indices; params.spp is the whole N
+};
+
+/// How a running render talks to its caller. Backends call `progress` between passes from the calling thread
+/// and stop after the current pass (a range of samples over the whole film) once `stop` is set or
+/// `deadline` has passed; the Film they return says which samples it holds.
+struct RenderControl {
+    const std::atomic<bool>* stop = nullptr;
+    std::optional<std::chrono::steady_clock::time_point> deadline;
+    std::function<void(std::uint64_t pathsDone, std::uint64_t pathsTotal)> progress;
+
+    [[nodiscard]] bool shouldStop() const {
+        return (stop && stop->load(std::memory_order_relaxed)) ||
+               (deadline && std::chrono::steady_clock::now() >= *deadline);
+    }
+};
+
+}  // namespace vkpt

@@ -1,0 +1,31 @@
+# Language level, warnings and sanitizers for every target.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+
+add_library(vkpt_compiler INTERFACE)
+target_compile_options(vkpt_compiler INTERFACE -Wall -Wextra -Wshadow -Wpedantic -Werror -ffp-contract=off)
+target_include_directories(vkpt_compiler INTERFACE
+  "${CMAKE_SOURCE_DIR}/src" "${CMAKE_SOURCE_DIR}/shaders/shared" "${VKPT_GENERATED}")
+if(VKPT_SANITIZE)
+  target_compile_options(vkpt_compiler INTERFACE -fsanitize=${VKPT_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(vkpt_compiler INTERFACE -fsanitize=${VKPT_SANITIZE})
+endif()
+
+find_program(VKPT_CCACHE ccache)
+if(VKPT_CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${VKPT_CCACHE}")
+endif()
+
+# vkpt_library(NAME LIBRARY…): static library vkpt_NAME of all sources under src/NAME.
+function(vkpt_library name)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/src/${name}/*.cpp")
+  if(sources)
+    add_library(vkpt_${name} STATIC ${sources})
+    target_link_libraries(vkpt_${name} PUBLIC vkpt_compiler ${ARGN})
+    add_dependencies(vkpt_${name} vkpt_registry)
+  else()
+    add_library(vkpt_${name} INTERFACE)
+    target_link_libraries(vkpt_${name} INTERFACE vkpt_compiler ${ARGN})
+  endif()
+endfunction()
