@@ -13,13 +13,18 @@ namespace vkpt {
 struct Film {
     std::uint32_t width = 0, height = 0;
     std::uint32_t sampleBegin = 0, sampleEnd = 0;
-    std::vector<FilmSums> sums;       ///< width x height
-    std::uint64_t refused = 0;        ///< contributions that were NaN, infinite, negative or out of range
+    std::vector<FilmSums> sums;  ///< width x height
+    std::uint64_t refused = 0;   ///< contributions that were NaN, infinite, negative or out of range
 
     [[nodiscard]] std::uint32_t samples() const { return sampleEnd - sampleBegin; }
 };
 
-/// Mean radiance and alpha: RGBA, linear, premultiplied.
+/// Mean radiance and alpha: RGBA, linear, premultiplied. Each value is the exact quotient of integers, rounded
+/// once; a film without samples is black and transparent.
 [[nodiscard]] Image filmToImage(const Film& film);
+
+/// Adds `other`, whose sample range must adjoin that of `into`, exactly. Order does not matter.
+/// Throws Error: SizeMismatch where the frames differ, Usage where the ranges overlap or leave a gap.
+void addFilm(Film& into, const Film& other);
 
 }  // namespace vkpt

@@ -1,0 +1,92 @@
+#include <spng.h>
+#include <stb_image_write.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+
+#include "base/error.h"
+#include "film/encode.h"
+
+namespace vkpt {
+namespace {
+
+/// Values in [0, 1] to integers in [0, maximum], rounded to nearest.
+template <typename T>
+std::vector<T> quantise(const std::vector<float>& values, float maximum) {
+    std::vector<T> integers(values.size());
+    std::transform(values.begin(), values.end(), integers.begin(),
+                   [maximum](float v) { return static_cast<T>(std::lround(v * maximum)); });
+    return integers;
+}
+
+Bytes encode8(const Image& display) {
+    const std::vector<std::uint8_t> values = quantise<std::uint8_t>(display.pixels, 255.0F);
+    Bytes bytes;
+    const auto append = [](void* context, void* data, int size) {
+        const auto* first = static_cast<const std::byte*>(data);
+        auto& sink = *static_cast<Bytes*>(context);
+        sink.insert(sink.end(), first, first + size);
+    };
+    const int width = static_cast<int>(display.width), channels = static_cast<int>(display.channels);
+    if (stbi_write_png_to_func(append, &bytes, width, static_cast<int>(display.height), channels, values.data(),
+                               width * channels) == 0)
+        throw Error(ExitCode::Internal, "the PNG encoder failed");
+    return bytes;
+}
+
+void check(int result) {
+    if (result != SPNG_OK)
+        throw Error(ExitCode::Internal, std::string("the PNG encoder failed: ") + spng_strerror(result));
+}
+
+/// UTF-8 text chunks. `metadata` must outlive the encoding: libspng keeps pointers.
+void setText(spng_ctx* context, ImageMetadata& metadata) {
+    std::string empty;
+    std::vector<spng_text> chunks;
+    for (auto& [key, value] : metadata) {
+        spng_text text{};
+        key.copy(text.keyword, sizeof(text.keyword) - 1);
+        text.type = SPNG_ITXT;
+        text.length = value.size();
+        text.text = value.data();
+        text.language_tag = empty.data();
+        text.translated_keyword = empty.data();
+        chunks.push_back(text);
+    }
+    if (!chunks.empty()) check(spng_set_text(context, chunks.data(), static_cast<std::uint32_t>(chunks.size())));
+}
+
+Bytes encode16(const Image& display, ImageMetadata metadata) {
+    const std::vector<std::uint16_t> values = quantise<std::uint16_t>(display.pixels, 65535.0F);
+    const std::unique_ptr<spng_ctx, void (*)(spng_ctx*)> context(spng_ctx_new(SPNG_CTX_ENCODER), spng_ctx_free);
+    if (!context) throw std::bad_alloc();
+    check(spng_set_option(context.get(), SPNG_ENCODE_TO_BUFFER, 1));
+    spng_ihdr header{};
+    header.width = display.width;
+    header.height = display.height;
+    header.bit_depth = 16;
+    header.color_type = display.channels == 4 ? SPNG_COLOR_TYPE_TRUECOLOR_ALPHA : SPNG_COLOR_TYPE_TRUECOLOR;
+    check(spng_set_ihdr(context.get(), &header));
+    check(spng_set_srgb(context.get(), 0));  // perceptual intent
+    setText(context.get(), metadata);
+    check(spng_encode_image(context.get(), values.data(), values.size() * sizeof(values[0]), SPNG_FMT_PNG,
+                            SPNG_ENCODE_FINALIZE));
+    std::size_t size = 0;
+    int result = SPNG_OK;
+    const std::unique_ptr<void, void (*)(void*)> buffer(spng_get_png_buffer(context.get(), &size, &result), std::free);
+    check(result);
+    const auto* first = static_cast<const std::byte*>(buffer.get());
+    return Bytes(first, first + size);
+}
+
+}  // namespace
+
+Bytes encodePng(const Image& display, int bits, const ImageMetadata& metadata) {
+    assert((bits == 8 || bits == 16) && (display.channels == 3 || display.channels == 4));
+    return bits == 8 ? encode8(display) : encode16(display, metadata);
+}
+
+}  // namespace vkpt
