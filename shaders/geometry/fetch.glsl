@@ -1,0 +1,18 @@
+// The scene buffer, read in 16-byte words through one of two forms: a texel buffer (the fast one on CPU-type
+// devices) or a storage buffer. The unused binding holds a dummy.
+layout(set = 0, binding = 0, std140) uniform Frame {
+    SceneHeader scene;
+    RenderParams render;
+};
+layout(set = 0, binding = 1, std430) readonly restrict buffer SceneWords { uvec4 sceneWords[]; };
+layout(set = 0, binding = 2, rgba32ui) readonly restrict uniform uimageBuffer sceneTexels;
+
+uvec4 sceneWord(uint index) {
+    if (kFetchTexel != 0u) return imageLoad(sceneTexels, int(index));
+    return sceneWords[index];
+}
+
+vec4 sceneWordFloat(uint index) { return uintBitsToFloat(sceneWord(index)); }
+
+// Float `index` of an array that starts at word `base`, four floats a word.
+float sceneFloat(uint base, uint index) { return uintBitsToFloat(sceneWord(base + (index >> 2u))[index & 3u]); }

@@ -1,0 +1,62 @@
+// Loads of the records of shared/layout.h, word by word.
+TriangleRecord loadTriangle(uint slot) {
+    uint base = scene.triangles + slot * 4u;
+    uvec4 w0 = sceneWord(base), w1 = sceneWord(base + 1u), w2 = sceneWord(base + 2u), w3 = sceneWord(base + 3u);
+    return TriangleRecord(uintBitsToFloat(w0.xyz), w0.w, uintBitsToFloat(w1.xyz), w1.w, uintBitsToFloat(w2.xyz), w2.w,
+                          w3.x, w3.y, w3.z, w3.w);
+}
+
+VertexRecord loadVertex(uint index) {
+    uvec4 w = sceneWord(scene.vertices + index);
+    return VertexRecord(w.x, uintBitsToFloat(w.y), uintBitsToFloat(w.z), w.w);
+}
+
+VertexExtra loadVertexExtra(uint index) {
+    uvec4 w = sceneWord(scene.vertexExtras + index);
+    return VertexExtra(uintBitsToFloat(w.x), uintBitsToFloat(w.y), w.z, w.w);
+}
+
+InstanceRecord loadInstance(uint index) {
+    uint base = scene.instances + index * 7u;
+    InstanceRecord r;
+    for (uint i = 0u; i < 3u; ++i) {
+        r.objectFromWorld[i] = sceneWordFloat(base + i);
+        r.worldFromObject[i] = sceneWordFloat(base + 3u + i);
+    }
+    uvec4 w = sceneWord(base + 6u);
+    r.rootNode = w.x;
+    r.object = w.y;
+    r.pad0 = w.z;
+    r.pad1 = w.w;
+    return r;
+}
+
+MaterialRecord loadMaterial(uint index) {
+    uint base = scene.materials + index * 4u;
+    vec4 w0 = sceneWordFloat(base), w1 = sceneWordFloat(base + 1u);
+    uvec4 w2 = sceneWord(base + 2u), w3 = sceneWord(base + 3u);
+    return MaterialRecord(w0, w1.xyz, w1.w, uintBitsToFloat(w2.x), uintBitsToFloat(w2.y), uintBitsToFloat(w2.z), w2.w,
+                          w3.x, w3.y, w3.z, w3.w);
+}
+
+TextureRecord loadTexture(uint index) {
+    uint base = scene.textures + index * 3u;
+    uvec4 w0 = sceneWord(base);
+    return TextureRecord(w0.x, w0.y, w0.z, w0.w, sceneWordFloat(base + 1u), sceneWordFloat(base + 2u));
+}
+
+LightRecord loadLight(uint index) {
+    uint base = scene.lights + index * 4u;
+    uvec4 w0 = sceneWord(base);
+    vec4 w1 = sceneWordFloat(base + 1u), w2 = sceneWordFloat(base + 2u);
+    uvec4 w3 = sceneWord(base + 3u);
+    return LightRecord(uintBitsToFloat(w0.xyz), w0.w, w1.xyz, w1.w, w2.xyz, w2.w, uintBitsToFloat(w3.xyz), w3.w);
+}
+
+WideNode loadNode(uint index) {
+    uint base = scene.nodes + index * 5u;
+    uvec4 w0 = sceneWord(base), w1 = sceneWord(base + 1u), w2 = sceneWord(base + 2u), w3 = sceneWord(base + 3u),
+          w4 = sceneWord(base + 4u);
+    return WideNode(uintBitsToFloat(w0.xyz), w0.w, w1.x, w1.y, w1.z, w1.w, w2.x, w2.y, w2.z, w2.w, w3.x, w3.y, w3.z,
+                    w3.w, w4.x, w4.y, w4.z, w4.w);
+}

@@ -1,0 +1,20 @@
+#version 460
+// Stage 4: light samples that arrive are added to their path. One at most for each path and bounce: no atomics.
+#extension GL_GOOGLE_include_directive : require
+#include "kernels/preamble.glsl"
+#include "kernels/contribution.glsl"
+#include "material/texture.glsl"
+#include "geometry/surface.glsl"
+#include "geometry/triangle.glsl"
+#include "geometry/wide_node.glsl"
+#include "geometry/traverse.glsl"
+#include "material/alpha.glsl"
+
+void main() {
+    uint i = gl_GlobalInvocationID.x;
+    if (i >= queueSize(batch.bounce, kQueueShadow)) return;
+    vec4 origin = loadStateFloat(kShadowOrigin, i), target = loadStateFloat(kShadowTarget, i);
+    uint path = floatBitsToUint(origin.w);
+    Hit hit = traverse(origin.xyz, target.xyz, target.w, alphaKeyOf(path, kRayShadow), true);
+    if (hit.slot == kNone) addContribution(path, loadStateFloat(kShadowRadiance, i).xyz, false);
+}

@@ -1,0 +1,55 @@
+// Path state, queues and counters: structures of arrays in 16-byte words. A path keeps its slot for life; queues
+// hold slots. Offsets are in WavefrontLayout's order (src/wavefront/layout.h).
+layout(local_size_x = 64) in;
+
+layout(push_constant) uniform Batch {
+    uint firstPixel, pixelCount;     // pixels of the frame, row by row
+    uint firstSample, sampleCount;
+    uint bounce;
+    uint capacity;                   // slots of every array
+    uint pathCount;                  // pixelCount * sampleCount
+    uint pad;
+} batch;
+
+layout(set = 0, binding = 3, std430) restrict buffer StateWords { uvec4 stateWords[]; };
+layout(set = 0, binding = 4, std430) restrict buffer Counters { uint counters[]; };
+
+// Arrays of stateWords, each `capacity` long.
+const uint kStateOrigin = 0u;      // xyz origin; w pdf of the BSDF sample, negative: MIS weight 1
+const uint kStateDirection = 1u;   // xyz direction; w instance of the hit
+const uint kStateThroughput = 2u;  // xyz
+const uint kStateHit = 3u;         // t, slot, b1, b2
+const uint kStateRed = 4u, kStateGreen = 5u, kStateBlue = 6u;  // exact sums; red.w: alpha
+const uint kShadowOrigin = 7u;     // xyz; w: path slot
+const uint kShadowTarget = 8u;     // xyz: from the origin to the light; w: tMax
+const uint kShadowRadiance = 9u;   // xyz
+
+uvec4 loadState(uint array, uint slot) { return stateWords[array * batch.capacity + slot]; }
+void storeState(uint array, uint slot, uvec4 value) { stateWords[array * batch.capacity + slot] = value; }
+vec4 loadStateFloat(uint array, uint slot) { return uintBitsToFloat(loadState(array, slot)); }
+void storeStateFloat(uint array, uint slot, vec4 value) { storeState(array, slot, floatBitsToUint(value)); }
+
+// Counters: a block of 16 uints a bounce, then the refused contributions, then the queues. A queue's block is
+// {groups, 1, 1, items}: the first three are the arguments of its indirect dispatch.
+const uint kQueueRay = 0u, kQueueHit = 1u, kQueueMiss = 2u, kQueueShadow = 3u;
+const uint kCounterBlock = 16u;
+const uint kMaxBounceBlocks = 4096u;
+const uint kRefused = kCounterBlock * kMaxBounceBlocks;
+const uint kQueueBase = kRefused + 16u;
+
+uint queueCounter(uint bounce, uint queue) { return bounce * kCounterBlock + queue * 4u; }
+uint queueSize(uint bounce, uint queue) { return counters[queueCounter(bounce, queue) + 3u]; }
+// Ray queues alternate between two arrays by the parity of the bounce; hits and misses follow.
+uint queueArray(uint bounce, uint queue) {
+    return kQueueBase + (queue == kQueueRay ? bounce & 1u : queue + 1u) * batch.capacity;
+}
+
+SampleId sampleIdOf(uint path) {
+    uint pixel = batch.firstPixel + path % batch.pixelCount;
+    uint index = batch.firstSample + path / batch.pixelCount;
+    return SampleId(pixel % render.width | (pixel / render.width) << 16u, index, render.spp, render.seed);
+}
+
+float samplePath(SampleId id, uint dim) { return toUnit(samplerBits(id, dim)); }
+vec2 samplePath2D(SampleId id, uint dim) { return vec2(samplePath(id, dim), samplePath(id, dim + 1u)); }
+uint bounceDimension(uint dim) { return kDimBounce + batch.bounce * kDimBounceStride + dim; }

@@ -1,0 +1,76 @@
+// Next event estimation: one light chosen by power, one point on it. [estimator.md, step 5 and Lights]
+
+struct LightSample {
+    vec3 target;      // end of the shadow ray; a direction where `infinite`
+    bool infinite;
+    vec3 wi;          // unit, towards the light
+    vec3 radiance;    // Le, or irradiance of a delta light; 0: nothing arrives
+    float pdf;        // per solid angle, choice of the light included; of a delta light: of the choice alone
+    bool delta;
+};
+
+// Radiance a triangle light sends from barycentric (b0, b1): factor x texture.
+vec3 triangleLightEmission(LightRecord light, vec2 b01) {
+    if (kHasTexturedEmission == 0u) return light.color;
+    uint base = scene.triangles + light.index * 4u;
+    MaterialRecord m = loadMaterial(sceneWord(base).w >> kTriangleMaterialShift);
+    uvec3 vertices = sceneWord(base + 3u).xyz;
+    SurfaceUv uv = interpolateUv(vertices, loadVertex(vertices.x), loadVertex(vertices.y), loadVertex(vertices.z),
+                                 vec3(b01, 1.0 - b01.x - b01.y));
+    return light.color * surfaceTexture(m.emissiveTexture, uv, vec4(1.0)).rgb;
+}
+
+LightSample sampleTriangleLight(LightRecord light, vec3 from, vec2 u) {
+    LightSample s;
+    vec2 b = squareToTriangle(u);
+    vec3 point = b.x * light.a + b.y * light.b + (1.0 - b.x - b.y) * light.c;
+    vec3 n = normalize(cross(light.b - light.a, light.c - light.a));
+    vec3 toLight = point - from;
+    float d2 = dot(toLight, toLight);
+    s.wi = toLight * inversesqrt(d2);
+    float cosLight = -dot(n, s.wi);
+    float scale = kOffsetScale * maxComponent(maxAbs(maxAbs(abs(light.a), light.b), light.c));
+    s.target = point + n * (cosLight >= 0.0 ? scale : -scale);
+    s.infinite = false;
+    s.delta = false;
+    bool lit = light.kind == kLightTriangleTwoSided ? cosLight != 0.0 : cosLight > 0.0;
+    s.radiance = lit && d2 > 0.0 ? triangleLightEmission(light, b) : vec3(0.0);
+    s.pdf = light.pmf * d2 / (light.area * abs(cosLight));
+    return s;
+}
+
+LightSample samplePunctualLight(LightRecord light, vec3 from) {
+    LightSample s;
+    s.infinite = light.kind == kLightDirectional;
+    vec3 toLight = light.a - from;
+    float d2 = dot(toLight, toLight);
+    s.wi = s.infinite ? -light.b : toLight * inversesqrt(d2);
+    s.target = s.infinite ? s.wi : light.a;
+    s.radiance = s.infinite ? light.color : (d2 > 0.0 ? punctualIrradiance(light, s.wi, d2) : vec3(0.0));
+    s.pdf = light.pmf;
+    s.delta = true;
+    return s;
+}
+
+LightSample sampleEnvironmentLight(float pmf, vec2 u) {
+    LightSample s;
+    s.wi = sampleEnvironmentDirection(u, s.pdf);
+    s.target = s.wi;
+    s.infinite = true;
+    s.radiance = environmentLookup(s.wi).rgb;
+    s.pdf *= pmf;
+    s.delta = false;
+    return s;
+}
+
+LightSample sampleLight(vec3 from, float uLight, vec2 u) {
+    LightSample s = LightSample(vec3(0.0), false, vec3(0.0), vec3(0.0), 0.0, false);
+    if (scene.lightCount == 0u) return s;
+    uint index = scene.lightCount == 1u ? 0u : searchCdf(scene.lightCdf, scene.lightCount, uLight).x;
+    LightRecord light = loadLight(index);
+    if (kHasTriangleLights != 0u && light.kind <= kLightTriangleTwoSided) s = sampleTriangleLight(light, from, u);
+    if (kHasPunctualLights != 0u && light.kind >= kLightPoint && light.kind <= kLightDirectional)
+        s = samplePunctualLight(light, from);
+    if (kHasEnvironment != 0u && light.kind == kLightEnvironment) s = sampleEnvironmentLight(light.pmf, u);
+    return s;
+}

@@ -1,0 +1,15 @@
+// Specialization constants of every kernel: what a render does not need is not in its kernels.
+// The order is WavefrontRenderer's specializationOf (src/wavefront/specialization.cpp).
+layout(constant_id = 0) const uint kSampler = 0u;
+layout(constant_id = 1) const uint kFetchTexel = 0u;       // read the scene through a texel buffer
+layout(constant_id = 2) const uint kHasInstances = 0u;
+layout(constant_id = 3) const uint kHasAlpha = 0u;
+layout(constant_id = 4) const uint kHasTextures = 0u;
+layout(constant_id = 5) const uint kHasNormalMaps = 0u;
+layout(constant_id = 6) const uint kHasVertexExtras = 0u;
+layout(constant_id = 7) const uint kHasTriangleLights = 0u;
+layout(constant_id = 8) const uint kHasTexturedEmission = 0u;
+layout(constant_id = 9) const uint kHasPunctualLights = 0u;
+layout(constant_id = 10) const uint kHasEnvironment = 0u;
+layout(constant_id = 11) const uint kHasUnlit = 0u;
+layout(constant_id = 12) const uint kUseBallot = 0u;       // compaction by subgroup ballot, else by shared memory
