@@ -32,7 +32,7 @@ ImageDifference compareImages(const Image& image, const Image& reference) {
             }
         }
     }
-    const double count = std::max(1.0, double{channels} * image.width * image.height);
+    const double count = std::max(1.0, static_cast<double>(channels) * image.width * image.height);
     result.meanAbsolute /= count;
     result.relativeMse /= count;
     result.rootMeanSquare = std::sqrt(squares / count);
