@@ -1,0 +1,1 @@
+"""The scenes of vkpt, as code. Python standard library only."""
