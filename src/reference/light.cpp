@@ -1,0 +1,91 @@
+#include "reference/light.h"
+
+#include "reference/geometry.h"
+#include "reference/lights/punctual.h"
+#include "reference/lights/triangle.h"
+#include "reference/warp.h"
+
+namespace vkpt::reference {
+
+namespace {
+
+glm::vec3 lightNormal(const LightRecord& light) {
+    return glm::normalize(glm::cross(light.b - light.a, light.c - light.a));
+}
+
+}  // namespace
+
+std::optional<LightSample> Lights::sample(const glm::vec3& from, float uLight, const Vec2<float>& u) const {
+    const LightRecord& light = scene_.lights[sampleTable(scene_.lightCdf, uLight).index];
+    if (light.pmf <= 0) return std::nullopt;
+    if (light.kind <= kLightTriangleTwoSided) return sampleTriangle(light, from, u);
+    if (light.kind == kLightEnvironment) return sampleEnvironment(light, u);
+    return samplePunctual(light, from);
+}
+
+std::optional<LightSample> Lights::sampleTriangle(const LightRecord& light, const glm::vec3& from,
+                                                  const Vec2<float>& u) const {
+    const glm::vec3 b = squareToTriangle(u);
+    const glm::vec3 point = b.x * light.a + b.y * light.b + b.z * light.c;
+    const glm::vec3 toLight = point - from;
+    const float distance2 = glm::dot(toLight, toLight);
+    if (distance2 <= 0) return std::nullopt;
+    LightSample sample;
+    sample.wi = toLight / std::sqrt(distance2);
+    const glm::vec3 normal = lightNormal(light);
+    const float cosine = -glm::dot(normal, sample.wi);
+    if (cosine == 0 || (cosine < 0 && light.kind == kLightTriangle)) return std::nullopt;
+    sample.pdf = light.pmf * trianglePdf(light.area, distance2, std::abs(cosine));
+    const TriangleRecord& triangle = scene_.triangles[light.index];
+    const MaterialRecord& material = materialOf(scene_, triangle);
+    sample.radiance = light.color;
+    if (material.emissiveTexture != kNone) {
+        sample.radiance = emission(scene_, material, interpolateAttributes(scene_, triangle, b));
+    }
+    const float offset = kOffsetScale * largestComponent(light.a, light.b, light.c);
+    sample.end = point + normal * (cosine > 0 ? offset : -offset);
+    return sample;
+}
+
+std::optional<LightSample> Lights::samplePunctual(const LightRecord& light, const glm::vec3& from) const {
+    LightSample sample;
+    sample.punctual = true;
+    sample.pdf = light.pmf;
+    if (light.kind == kLightDirectional) {
+        sample.wi = -light.b;
+        sample.radiance = light.color;
+        sample.infinite = true;
+        return sample;
+    }
+    const glm::vec3 toLight = light.a - from;
+    const float distance2 = glm::dot(toLight, toLight);
+    if (distance2 <= 0) return std::nullopt;
+    sample.wi = toLight / std::sqrt(distance2);
+    sample.radiance = light.color / distance2 * rangeWindow(distance2, light.c.z);
+    if (light.kind == kLightSpot) sample.radiance *= spotFalloff(-glm::dot(light.b, sample.wi), light.c.x, light.c.y);
+    sample.end = light.a;
+    return sample;
+}
+
+std::optional<LightSample> Lights::sampleEnvironment(const LightRecord& light, const Vec2<float>& u) const {
+    if (!environment_.exists()) return std::nullopt;
+    const Environment::Sample drawn = environment_.sample(u);
+    if (drawn.pdf <= 0) return std::nullopt;
+    LightSample sample;
+    sample.wi = drawn.direction;
+    sample.radiance = environment_.radiance(drawn.direction);
+    sample.pdf = light.pmf * drawn.pdf;
+    sample.infinite = true;
+    return sample;
+}
+
+float Lights::pdfTriangle(const LightRecord& light, const glm::vec3& d, float t) const {
+    return light.pmf * trianglePdf(light.area, t * t, std::abs(glm::dot(lightNormal(light), d)));
+}
+
+float Lights::pdfEnvironment(const glm::vec3& d) const {
+    if (scene_.envLight == kNone) return 0;
+    return scene_.lights[scene_.envLight].pmf * environment_.pdf(d);
+}
+
+}  // namespace vkpt::reference

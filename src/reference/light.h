@@ -1,0 +1,46 @@
+// Lights as the estimator sees them: one sample towards any of them, and the densities of those samples.
+#pragma once
+#include <optional>
+
+#include "reference/lights/environment.h"
+#include "reference/material.h"
+#include "reference/real.h"
+
+namespace vkpt::reference {
+
+/// One light sample as seen from a point.
+struct LightSample {
+    glm::vec3 wi{0, 0, 1};  ///< unit
+    glm::vec3 radiance{0};  ///< Le in nits; of punctual lights the irradiance at normal incidence, in lux
+    float pdf = 0;          ///< per solid angle, choice of the light included; of punctual lights the choice alone
+    bool punctual = false;  ///< no BSDF sample can meet it: MIS weight 1
+    bool infinite = false;  ///< nothing ends the shadow ray
+    glm::vec3 end{0};       ///< where the shadow ray ends, unless infinite
+};
+
+class Lights {
+public:
+    explicit Lights(const SceneArrays& scene) : scene_(scene), environment_(scene) {}
+
+    [[nodiscard]] bool empty() const { return scene_.lights.empty(); }
+    [[nodiscard]] const Environment& environment() const { return environment_; }
+
+    /// Chooses a light by `uLight` and a direction to it by `u`. Nothing where no light comes from there.
+    [[nodiscard]] std::optional<LightSample> sample(const glm::vec3& from, float uLight, const Vec2<float>& u) const;
+
+    /// Density of sample() for a ray of unit direction `d` that met a triangle light at distance t.
+    [[nodiscard]] float pdfTriangle(const LightRecord& light, const glm::vec3& d, float t) const;
+    /// Density of sample() for a unit direction that met nothing.
+    [[nodiscard]] float pdfEnvironment(const glm::vec3& d) const;
+
+private:
+    [[nodiscard]] std::optional<LightSample> sampleTriangle(const LightRecord& light, const glm::vec3& from,
+                                                            const Vec2<float>& u) const;
+    [[nodiscard]] std::optional<LightSample> samplePunctual(const LightRecord& light, const glm::vec3& from) const;
+    [[nodiscard]] std::optional<LightSample> sampleEnvironment(const LightRecord& light, const Vec2<float>& u) const;
+
+    const SceneArrays& scene_;
+    Environment environment_;
+};
+
+}  // namespace vkpt::reference

@@ -1,0 +1,100 @@
+#include "reference/render.h"
+
+#include <tbb/blocked_range2d.h>
+#include <tbb/combinable.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "reference/accumulate.h"
+#include "reference/path.h"
+
+namespace vkpt {
+
+namespace {
+
+using reference::PathTally;
+using reference::PathTracer;
+
+constexpr std::uint32_t kTile = 16;
+constexpr std::uint64_t kPathsPerPass = 1U << 18U;  // a few tenths of a second: how promptly a stop is heard
+
+void check(const RenderOptions& options) {
+    const RenderParams& params = options.params;
+    if (params.width == 0 || params.height == 0 || params.width > 65536 || params.height > 65536) {
+        throw Error(ExitCode::Usage, "the frame must have 1 to 65536 pixels a side");
+    }
+    if (options.sampleBegin >= options.sampleEnd) throw Error(ExitCode::Usage, "the range of samples is empty");
+}
+
+struct Counts {
+    std::uint64_t refused = 0, pathRays = 0, shadowRays = 0;
+
+    void add(const PathTally& tally) {
+        refused += tally.refused;
+        pathRays += tally.pathRays;
+        shadowRays += tally.shadowRays;
+    }
+};
+
+/// Adds samples [begin, end) of every pixel to the film.
+void renderPass(const PathTracer& tracer, std::uint32_t begin, std::uint32_t end, Film& film,
+                tbb::combinable<Counts>& counts) {
+    const tbb::blocked_range2d<std::uint32_t> pixels(0, film.height, kTile, 0, film.width, kTile);
+    tbb::parallel_for(pixels, [&](const tbb::blocked_range2d<std::uint32_t>& tile) {
+        Counts& mine = counts.local();
+        for (std::uint32_t y = tile.rows().begin(); y < tile.rows().end(); ++y) {
+            for (std::uint32_t x = tile.cols().begin(); x < tile.cols().end(); ++x) {
+                FilmSums& pixel = film.sums[std::size_t{y} * film.width + x];
+                PathTally tally;
+                tally.sums = pixel;
+                for (std::uint32_t index = begin; index < end; ++index) tracer.trace(x, y, index, tally);
+                pixel = tally.sums;
+                mine.add(tally);
+            }
+        }
+    });
+}
+
+}  // namespace
+
+Film renderReference(const SceneArrays& scene, const RenderOptions& options, const RenderControl& control,
+                     const ReferenceConfig& config, ReferenceStats* stats) {
+    check(options);
+    const RenderParams& params = options.params;
+    Film film{params.width, params.height, options.sampleBegin, options.sampleBegin, {}, 0};
+    const std::uint64_t pixels = std::uint64_t{params.width} * params.height;
+    film.sums.resize(pixels);
+    const std::uint64_t total = pixels * (options.sampleEnd - options.sampleBegin);
+    const auto perPass = static_cast<std::uint32_t>(std::max<std::uint64_t>(1, kPathsPerPass / pixels));
+
+    const auto started = std::chrono::steady_clock::now();
+    const PathTracer tracer(scene, options);
+    tbb::combinable<Counts> counts;
+    tbb::task_arena arena(config.threads == 0 ? tbb::task_arena::automatic : static_cast<int>(config.threads));
+    std::uint32_t passes = 0;
+    do {
+        const std::uint32_t end = film.sampleEnd + std::min(perPass, options.sampleEnd - film.sampleEnd);
+        arena.execute([&] { renderPass(tracer, film.sampleEnd, end, film, counts); });
+        film.sampleEnd = end;
+        ++passes;
+        if (control.progress) control.progress(pixels * film.samples(), total);
+    } while (film.sampleEnd < options.sampleEnd && !control.shouldStop());
+
+    Counts sum;
+    counts.combine_each([&sum](const Counts& c) {
+        sum.refused += c.refused;
+        sum.pathRays += c.pathRays;
+        sum.shadowRays += c.shadowRays;
+    });
+    film.refused = sum.refused;
+    if (stats) {
+        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - started;
+        *stats = {pixels * film.samples(), sum.pathRays, sum.shadowRays, passes, seconds.count()};
+    }
+    return film;
+}
+
+}  // namespace vkpt

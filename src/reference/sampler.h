@@ -1,0 +1,35 @@
+// Stateless samplers: the bits of one dimension of one sample. A new one is a .cpp in samplers/ and a registry line.
+#pragma once
+#include <cstdint>
+
+#include "constants.h"
+#include "reference/hash.h"
+#include "reference/real.h"
+#include "registry.h"
+
+namespace vkpt::reference {
+
+/// Which sample of which pixel. `pixel` is x | y << 16 in full-frame coordinates.
+struct SampleId {
+    std::uint32_t pixel = 0, index = 0, spp = 0, seed = 0;
+};
+
+using SamplerBits = std::uint32_t (*)(SampleId id, std::uint32_t dim);
+
+#define VKPT_SAMPLER(Name, stem) std::uint32_t stem##Bits(SampleId id, std::uint32_t dim);
+#include "reference_samplers.inc"
+#undef VKPT_SAMPLER
+
+/// The function of a registered sampler. Throws std::logic_error for an id the registry does not hold.
+[[nodiscard]] SamplerBits samplerBits(SamplerId sampler);
+
+/// One sample of one path: every random number it uses, by dimension.
+struct PathSample {
+    SamplerBits bits = nullptr;
+    SampleId id;
+
+    [[nodiscard]] float get1D(std::uint32_t dim) const { return toUnit(bits(id, dim)); }
+    [[nodiscard]] Vec2<float> get2D(std::uint32_t dim) const { return {get1D(dim), get1D(dim + 1)}; }
+};
+
+}  // namespace vkpt::reference
