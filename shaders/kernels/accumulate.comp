@@ -9,7 +9,7 @@ layout(set = 0, binding = 5, std430) restrict buffer FilmWords { uvec4 filmWords
 void main() {
     uint pixel = gl_GlobalInvocationID.x;
     if (pixel >= batch.pixelCount) return;
-    uint film = (batch.firstPixel + pixel) * 3u;
+    uint film = (batch.firstPixel - batch.filmFirst + pixel) * 3u;
     uvec4 sums[3] = uvec4[3](filmWords[film], filmWords[film + 1u], filmWords[film + 2u]);
     for (uint path = pixel; path < batch.pathCount; path += batch.pixelCount) {
         for (uint c = 0u; c < 3u; ++c) {

@@ -1,5 +1,5 @@
 // Path state, queues and counters: structures of arrays in 16-byte words. A path keeps its slot for life; queues
-// hold slots. Offsets are in WavefrontLayout's order (src/wavefront/layout.h).
+// hold slots. Changed an array or a counter? Update src/wavefront/layout.h.
 layout(local_size_x = 64) in;
 
 layout(push_constant) uniform Batch {
@@ -8,7 +8,7 @@ layout(push_constant) uniform Batch {
     uint bounce;
     uint capacity;                   // slots of every array
     uint pathCount;                  // pixelCount * sampleCount
-    uint pad;
+    uint filmFirst;                  // first pixel of the band of the film that is bound
 } batch;
 
 layout(set = 0, binding = 3, std430) restrict buffer StateWords { uvec4 stateWords[]; };

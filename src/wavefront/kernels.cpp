@@ -1,0 +1,40 @@
+#include "wavefront/kernels.h"
+
+#include "wavefront/layout.h"
+
+namespace vkpt {
+
+std::vector<std::uint32_t> specializationOf(const SceneFeatures& f, SamplerId sampler, bool fetchTexel,
+                                            bool useBallot) {
+    return {static_cast<std::uint32_t>(sampler),
+            fetchTexel,
+            f.instances,
+            f.alpha,
+            f.textures,
+            f.normalMaps,
+            f.vertexExtras,
+            f.triangleLights,
+            f.texturedEmission,
+            f.punctualLights,
+            f.environment,
+            f.unlit,
+            useBallot};
+}
+
+namespace {
+
+Kernel makeKernel(Device& device, std::string_view name, std::span<const std::uint32_t> specialization) {
+    return {device, kernelSpirv(name), kKernelBindings, sizeof(BatchParams), specialization, name};
+}
+
+}  // namespace
+
+WavefrontKernels::WavefrontKernels(Device& device, std::span<const std::uint32_t> specialization)
+    : generate(makeKernel(device, "generate", specialization)),
+      intersect(makeKernel(device, "intersect", specialization)),
+      shade(makeKernel(device, "shade", specialization)),
+      miss(makeKernel(device, "miss", specialization)),
+      shadow(makeKernel(device, "shadow", specialization)),
+      accumulate(makeKernel(device, "accumulate", specialization)) {}
+
+}  // namespace vkpt

@@ -1,0 +1,33 @@
+// The kernels of one render, specialised for its scene and options.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "gpu/kernel.h"
+#include "scene/render_options.h"
+#include "scene/scene_arrays.h"
+
+namespace vkpt {
+
+/// SPIR-V of shaders/kernels/NAME.comp; empty where there is none. Generated.
+std::span<const std::uint32_t> kernelSpirv(std::string_view name);
+
+/// Bindings of every kernel: frame, scene as storage, scene as texels, path state, counters, film.
+inline constexpr std::array kKernelBindings = {BindingKind::UniformBuffer, BindingKind::StorageBuffer,
+                                               BindingKind::StorageTexel,  BindingKind::StorageBuffer,
+                                               BindingKind::StorageBuffer, BindingKind::StorageBuffer};
+
+/// Values of the constants of shaders/specialization.glsl, by constant_id.
+[[nodiscard]] std::vector<std::uint32_t> specializationOf(const SceneFeatures& features, SamplerId sampler,
+                                                          bool fetchTexel, bool useBallot);
+
+struct WavefrontKernels {
+    Kernel generate, intersect, shade, miss, shadow, accumulate;
+
+    WavefrontKernels(Device& device, std::span<const std::uint32_t> specialization);
+};
+
+}  // namespace vkpt

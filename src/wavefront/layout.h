@@ -1,0 +1,46 @@
+// Sizes and offsets of the device's path state, queues and counters: the host's side of shaders/kernels/state.glsl.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+namespace vkpt {
+
+/// Push constants of every kernel.
+struct BatchParams {
+    std::uint32_t firstPixel = 0, pixelCount = 0;
+    std::uint32_t firstSample = 0, sampleCount = 0;
+    std::uint32_t bounce = 0;
+    std::uint32_t capacity = 0;
+    std::uint32_t pathCount = 0;
+    std::uint32_t filmFirst = 0;
+};
+
+inline constexpr std::uint32_t kGroupSize = 64;
+inline constexpr std::uint32_t kStateArrays = 10;   ///< 16-byte words a path
+inline constexpr std::uint32_t kQueueArrays = 5;    ///< two ray queues, hits, misses, shadow: uints a path
+
+enum class Queue : std::uint32_t { Ray, Hit, Miss, Shadow };
+inline constexpr std::uint32_t kQueues = 4;
+
+/// {groups, 1, 1, items} of one queue at one bounce.
+struct QueueCounter {
+    std::uint32_t groups = 0, one0 = 1, one1 = 1, items = 0;
+};
+
+inline constexpr std::uint32_t kMaxBounceBlocks = 4096;
+inline constexpr std::uint32_t kCounterBlock = kQueues * sizeof(QueueCounter) / 4;  ///< uints a bounce
+inline constexpr std::uint32_t kRefusedCounter = kCounterBlock * kMaxBounceBlocks;
+inline constexpr std::uint32_t kQueueBase = kRefusedCounter + 16;
+
+/// Byte offset of a queue's counter, which is also the argument of its indirect dispatch.
+[[nodiscard]] constexpr std::size_t queueCounterOffset(std::uint32_t bounce, Queue queue) {
+    return (std::size_t{bounce} * kQueues + static_cast<std::size_t>(queue)) * sizeof(QueueCounter);
+}
+[[nodiscard]] constexpr std::size_t stateBytes(std::uint32_t capacity) {
+    return std::size_t{capacity} * kStateArrays * 16;
+}
+[[nodiscard]] constexpr std::size_t counterBytes(std::uint32_t capacity) {
+    return (std::size_t{kQueueBase} + std::size_t{capacity} * kQueueArrays) * 4;
+}
+
+}  // namespace vkpt

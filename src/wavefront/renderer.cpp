@@ -1,0 +1,322 @@
+#include "wavefront/renderer.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstring>
+#include <limits>
+
+#include "base/error.h"
+#include "gpu/device.h"
+#include "gpu/memory_plan.h"
+#include "gpu/recorder.h"
+#include "gpu/transfer.h"
+#include "wavefront/batches.h"
+#include "wavefront/kernels.h"
+#include "wavefront/layout.h"
+#include "wavefront/scene_upload.h"
+
+namespace vkpt {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::uint32_t kDefaultPaths = 1U << 18;
+constexpr std::uint32_t kBouncesPerSubmit = 16;
+constexpr double kSubmitSeconds = 0.15;  ///< aim on real GPUs, whose watchdogs end long submissions
+
+double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+std::uint32_t groupsFor(std::uint32_t items) { return (items + kGroupSize - 1) / kGroupSize; }
+
+struct Frame {  // the uniform block of shaders/geometry/fetch.glsl
+    SceneHeader scene;
+    RenderParams render;
+};
+
+/// Stage names in the order of their timestamps within a bounce.
+enum class Stage : std::uint32_t { Generate, Intersect, Miss, Shade, Shadow, Accumulate };
+constexpr std::array kStageNames = {"generate", "intersect", "miss", "shade", "shadow", "accumulate"};
+
+bool useTexels(const Device& device, WavefrontConfig::Fetch fetch, std::size_t bytes) {
+    const bool texelsFit = TexelView::fits(device, bytes);
+    const bool storageFits = bytes <= device.info().limits.maxStorageBufferRange;
+    if (!texelsFit && !storageFits)
+        throw DeviceError(fmt::format("the scene needs {} MiB in one buffer; {} binds at most {} MiB", bytes >> 20,
+                                      device.info().name,
+                                      std::max<std::uint64_t>(device.info().limits.maxStorageBufferRange,
+                                                              device.info().limits.maxTexelBufferElements * 16) >> 20));
+    if (fetch == WavefrontConfig::Fetch::Texel && !texelsFit)
+        throw DeviceError("--fetch texel: the scene exceeds the device's maxTexelBufferElements; use storage");
+    if (fetch == WavefrontConfig::Fetch::Storage && !storageFits)
+        throw DeviceError("--fetch storage: the scene exceeds the device's maxStorageBufferRange; use texel");
+    if (fetch != WavefrontConfig::Fetch::Auto) return fetch == WavefrontConfig::Fetch::Texel;
+    return texelsFit && (device.info().isCpu || !storageFits);
+}
+
+}  // namespace
+
+struct WavefrontRenderer::Impl {
+    struct FilmBand {
+        Band band;
+        Buffer film;
+        BindGroup group;
+    };
+
+    RenderOptions options;
+    WavefrontConfig config;
+    Device device;
+    SceneLayout layout;
+    std::uint32_t capacity;
+    bool texels;
+    MemoryPlan plan;
+    WavefrontKernels kernels;
+    Buffer frame, scene, dummy, state, counters, freshCounters, readback;
+    TexelView sceneTexels;
+    std::vector<FilmBand> bands;
+    Recorder recorder;
+    double uploadSeconds = 0;
+
+    Impl(const SceneArrays& arrays, const RenderOptions& renderOptions, const WavefrontConfig& wavefrontConfig);
+    void planMemory();
+    void createBuffers(const SceneArrays& arrays);
+    [[nodiscard]] std::uint32_t counterBlocks() const { return options.params.maxDepth + 2; }
+
+    void recordStart(const FilmBand& band, const BatchParams& batch);
+    void recordBounces(const FilmBand& band, BatchParams batch, std::uint32_t begin, std::uint32_t end);
+    void recordEnd(const FilmBand& band, const BatchParams& batch);
+    void stamp(Stage stage);
+    void submit(WavefrontStats& stats);
+    void renderBatch(const FilmBand& band, BatchParams batch, WavefrontStats& stats);
+    void renderPass(std::uint32_t firstSample, std::uint32_t sampleCount, const RenderControl& control,
+                    std::uint64_t totalPaths, WavefrontStats& stats);
+    void gatherCounters(WavefrontStats& stats);
+    [[nodiscard]] Film readFilm(std::uint32_t samplesDone);
+
+    std::uint32_t pathsPerBatch = 0;
+    std::vector<Stage> stamps;  ///< stage that ends at each timestamp slot of the current submission
+    double batchSeconds = 0;
+};
+
+WavefrontRenderer::Impl::Impl(const SceneArrays& arrays, const RenderOptions& renderOptions,
+                              const WavefrontConfig& wavefrontConfig)
+    : options(renderOptions),
+      config(wavefrontConfig),
+      device({config.device, config.validation}),
+      layout(planScene(arrays)),
+      capacity(config.pathsInFlight != 0 ? config.pathsInFlight : kDefaultPaths),
+      texels(useTexels(device, config.fetch, layout.bytes)),
+      kernels(device, specializationOf(arrays.features, options.sampler, texels,
+                                       config.ballot && device.info().subgroupBallot)),
+      recorder(device, config.timings ? 4 * kBouncesPerSubmit + 4 : 0),
+      pathsPerBatch(capacity) {
+    if (counterBlocks() > kMaxBounceBlocks)
+        throw Error(ExitCode::Usage, fmt::format("--max-depth {}: at most {}", options.params.maxDepth,
+                                                 kMaxBounceBlocks - 2));
+    const auto start = Clock::now();
+    createBuffers(arrays);
+    uploadSeconds = secondsSince(start);
+}
+
+void WavefrontRenderer::Impl::createBuffers(const SceneArrays& arrays) {
+    const auto& limits = device.info().limits;
+    const std::uint32_t width = options.params.width, height = options.params.height;
+    const auto bandList = makeBands(width, height, limits.maxStorageBufferRange / sizeof(FilmSums));
+    plan.add("scene", layout.bytes, !texels);
+    plan.add("path state", stateBytes(capacity));
+    plan.add("queues", counterBytes(capacity));
+    for (const Band& band : bandList) plan.add("film", std::uint64_t{band.pixelCount} * sizeof(FilmSums));
+    plan.check(device.info());
+
+    const std::size_t counterBytesUsed = std::size_t{kQueueBase} * 4;
+    frame = Buffer(device, BufferUse::Uniform, sizeof(Frame), "frame");
+    scene = Buffer(device, BufferUse::Storage, layout.bytes, "scene");
+    dummy = Buffer(device, BufferUse::Storage, 16, "dummy");
+    state = Buffer(device, BufferUse::Storage, stateBytes(capacity), "path state");
+    counters = Buffer(device, BufferUse::Indirect, counterBytes(capacity), "queues");
+    freshCounters = Buffer(device, BufferUse::Upload, counterBytesUsed, "fresh counters");
+    readback = Buffer(device, BufferUse::Readback, counterBytesUsed, "counters read back");
+    sceneTexels = texels ? TexelView(device, scene, VK_FORMAT_R32G32B32A32_UINT, 0, layout.bytes)
+                         : TexelView(device, dummy, VK_FORMAT_R32G32B32A32_UINT, 0, 16);
+
+    const Frame contents{layout.header, options.params};
+    std::memcpy(frame.map().data(), &contents, sizeof contents);
+    const std::vector<QueueCounter> fresh(counterBytesUsed / sizeof(QueueCounter) - 4);
+    std::memset(freshCounters.map().data(), 0, counterBytesUsed);
+    std::memcpy(freshCounters.map().data(), fresh.data(), fresh.size() * sizeof(QueueCounter));
+    uploadScene(device, scene, arrays, layout.header);
+    for (const Band& band : bandList) {
+        FilmBand b{band, Buffer(device, BufferUse::Storage, std::size_t{band.pixelCount} * sizeof(FilmSums), "film"), {}};
+        const std::array<Binding, 6> bindings = {frame, texels ? dummy : scene, sceneTexels, state, counters, b.film};
+        b.group = BindGroup(device, kernels.generate, bindings);
+        bands.push_back(std::move(b));
+    }
+}
+
+void WavefrontRenderer::Impl::stamp(Stage stage) {
+    if (!config.timings) return;
+    stamps.push_back(stage);
+    recorder.timestamp(static_cast<std::uint32_t>(stamps.size()));
+}
+
+void WavefrontRenderer::Impl::recordStart(const FilmBand& band, const BatchParams& batch) {
+    recorder.copy(freshCounters, 0, counters, 0, queueCounterOffset(counterBlocks(), Queue::Ray));
+    recorder.barrier();
+    const QueueCounter all{groupsFor(batch.pathCount), 1, 1, batch.pathCount};
+    recorder.update(counters, queueCounterOffset(0, Queue::Ray), std::as_bytes(std::span(&all, 1)));
+    recorder.dispatch(kernels.generate, band.group, batch, groupsFor(batch.pathCount));
+    recorder.barrier();
+    stamp(Stage::Generate);
+}
+
+void WavefrontRenderer::Impl::recordBounces(const FilmBand& band, BatchParams batch, std::uint32_t begin,
+                                            std::uint32_t end) {
+    const auto stage = [&](const Kernel& kernel, Queue queue, Stage id) {
+        recorder.dispatchIndirect(kernel, band.group, batch, counters, queueCounterOffset(batch.bounce, queue));
+        recorder.barrier();
+        stamp(id);
+    };
+    for (batch.bounce = begin; batch.bounce < end; ++batch.bounce) {
+        stage(kernels.intersect, Queue::Ray, Stage::Intersect);
+        stage(kernels.miss, Queue::Miss, Stage::Miss);
+        stage(kernels.shade, Queue::Hit, Stage::Shade);
+        if (batch.bounce < options.params.maxDepth) stage(kernels.shadow, Queue::Shadow, Stage::Shadow);
+    }
+}
+
+void WavefrontRenderer::Impl::recordEnd(const FilmBand& band, const BatchParams& batch) {
+    recorder.dispatch(kernels.accumulate, band.group, batch, groupsFor(batch.pixelCount));
+    recorder.barrier();
+    stamp(Stage::Accumulate);
+}
+
+void WavefrontRenderer::Impl::submit(WavefrontStats& stats) {
+    recorder.copy(counters, 0, readback, 0, std::size_t{kQueueBase} * 4);
+    recorder.submitAndWait();
+    if (!config.timings) return;
+    const std::vector<double> times = recorder.timestampsSeconds();
+    for (std::size_t i = 0; i < stamps.size() && i + 1 < times.size(); ++i)
+        stats.stages[static_cast<std::size_t>(stamps[i])].seconds += times[i + 1] - times[i];
+}
+
+void WavefrontRenderer::Impl::renderBatch(const FilmBand& band, BatchParams batch, WavefrontStats& stats) {
+    const auto start = Clock::now();
+    const std::uint32_t bounces = options.params.maxDepth + 1;
+    batch.capacity = capacity;
+    batch.pathCount = batch.pixelCount * batch.sampleCount;
+    batch.filmFirst = band.band.firstPixel;
+    bool more = true;
+    for (std::uint32_t begin = 0; more; begin += kBouncesPerSubmit) {
+        const std::uint32_t end = std::min(begin + kBouncesPerSubmit, bounces);
+        stamps.clear();
+        recorder.begin();
+        if (config.timings) recorder.timestamp(0);
+        if (begin == 0) recordStart(band, batch);
+        recordBounces(band, batch, begin, end);
+        if (end == bounces) recordEnd(band, batch);
+        submit(stats);
+        more = end < bounces;
+        QueueCounter left;
+        std::memcpy(&left, readback.map().data() + queueCounterOffset(end, Queue::Ray), sizeof left);
+        if (more && left.items == 0) {  // every path has ended: only the film is left
+            stamps.clear();
+            recorder.begin();
+            if (config.timings) recorder.timestamp(0);
+            recordEnd(band, batch);
+            submit(stats);
+            more = false;
+        }
+    }
+    gatherCounters(stats);
+    stats.paths += batch.pathCount;
+    ++stats.batches;
+    batchSeconds = secondsSince(start);
+}
+
+void WavefrontRenderer::Impl::gatherCounters(WavefrontStats& stats) {
+    const auto* words = reinterpret_cast<const std::uint32_t*>(readback.map().data());
+    for (std::uint32_t b = 0; b < counterBlocks() - 1; ++b) {
+        const auto items = [&](Queue queue) { return words[queueCounterOffset(b, queue) / 4 + 3]; };
+        stats.stages[static_cast<std::size_t>(Stage::Intersect)].items += items(Queue::Ray);
+        stats.stages[static_cast<std::size_t>(Stage::Miss)].items += items(Queue::Miss);
+        stats.stages[static_cast<std::size_t>(Stage::Shade)].items += items(Queue::Hit);
+        stats.stages[static_cast<std::size_t>(Stage::Shadow)].items += items(Queue::Shadow);
+    }
+    stats.refused = words[kRefusedCounter];
+}
+
+void WavefrontRenderer::Impl::renderPass(std::uint32_t firstSample, std::uint32_t sampleCount,
+                                         const RenderControl& control, std::uint64_t totalPaths,
+                                         WavefrontStats& stats) {
+    for (const FilmBand& band : bands) {
+        std::uint32_t done = 0;
+        while (done < band.band.pixelCount) {
+            const std::uint32_t pixels = std::min(band.band.pixelCount - done, std::max(pathsPerBatch / sampleCount, 1U));
+            renderBatch(band, {.firstPixel = band.band.firstPixel + done, .pixelCount = pixels,
+                               .firstSample = firstSample, .sampleCount = sampleCount}, stats);
+            done += pixels;
+            if (!device.info().isCpu && batchSeconds > kSubmitSeconds)
+                pathsPerBatch = std::max(pathsPerBatch / 2, 4096U);
+            if (control.progress) control.progress(stats.paths, totalPaths);
+        }
+    }
+}
+
+Film WavefrontRenderer::Impl::readFilm(std::uint32_t samplesDone) {
+    Film film;
+    film.width = options.params.width;
+    film.height = options.params.height;
+    film.sampleBegin = options.sampleBegin;
+    film.sampleEnd = options.sampleBegin + samplesDone;
+    film.sums.resize(std::size_t{film.width} * film.height);
+    for (const FilmBand& b : bands)
+        downloadBuffer(device, b.film, 0,
+                       std::as_writable_bytes(std::span(film.sums).subspan(b.band.firstPixel, b.band.pixelCount)));
+    return film;
+}
+
+WavefrontRenderer::WavefrontRenderer(const SceneArrays& arrays, const RenderOptions& options,
+                                     const WavefrontConfig& config)
+    : impl_(std::make_unique<Impl>(arrays, options, config)) {}
+
+WavefrontRenderer::~WavefrontRenderer() = default;
+
+Film WavefrontRenderer::render(const RenderControl& control, WavefrontStats* statsOut) {
+    Impl& r = *impl_;
+    const auto start = Clock::now();
+    WavefrontStats stats;
+    stats.device = r.device.info().name;
+    stats.driver = r.device.info().driver;
+    stats.fetch = r.texels ? "texel" : "storage";
+    for (const char* name : kStageNames) stats.stages.push_back({name, 0, 0});
+    stats.uploadSeconds = r.uploadSeconds;
+    stats.deviceBytes = r.plan.totalBytes();
+
+    r.recorder.begin();
+    for (const auto& b : r.bands) r.recorder.fill(b.film, 0, b.film.size(), 0);
+    r.recorder.fill(r.counters, kRefusedCounter * 4, 4, 0);
+    r.recorder.submitAndWait();
+
+    const std::uint64_t pixels = std::uint64_t{r.options.params.width} * r.options.params.height;
+    const std::uint32_t samples = r.options.sampleEnd - r.options.sampleBegin;
+    std::uint32_t done = 0;
+    while (done < samples && !(done > 0 && control.shouldStop())) {
+        const std::uint32_t count = samplesPerPass(pixels, r.pathsPerBatch, samples - done);
+        r.renderPass(r.options.sampleBegin + done, count, control, pixels * samples, stats);
+        if (done == 0) stats.secondsToFirstPass = secondsSince(start);
+        done += count;
+    }
+    Film film = r.readFilm(done);
+    film.refused = stats.refused;
+    stats.stages[0].items = stats.stages[5].items = stats.paths;
+    stats.pathRays = stats.stages[1].items;
+    stats.shadowRays = stats.stages[4].items;
+    stats.renderSeconds = secondsSince(start);
+    stats.validationMessages = r.device.validationMessages();
+    if (statsOut) *statsOut = stats;
+    return film;
+}
+
+std::string WavefrontRenderer::memoryPlan() const { return impl_->plan.describe(); }
+
+}  // namespace vkpt

@@ -1,0 +1,69 @@
+#include "wavefront/scene_upload.h"
+
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "base/error.h"
+#include "gpu/transfer.h"
+#include "scene/sobol_directions.h"
+
+namespace vkpt {
+namespace {
+
+constexpr std::size_t kWord = 16;
+
+const std::vector<std::uint32_t>& samplerTable() {
+    static const std::vector<std::uint32_t> table = sobolDirections();
+    return table;
+}
+
+/// Calls visit(section offset in the header, bytes) for every section, in the order they are stored.
+template <class Header, class Visit>
+void forEachSection(const SceneArrays& a, Header& h, const Visit& visit) {
+    visit(h.nodes, std::as_bytes(std::span(a.nodes)));
+    visit(h.triangles, std::as_bytes(std::span(a.triangles)));
+    visit(h.vertices, std::as_bytes(std::span(a.vertices)));
+    visit(h.vertexExtras, std::as_bytes(std::span(a.vertexExtras)));
+    visit(h.instances, std::as_bytes(std::span(a.instances)));
+    visit(h.materials, std::as_bytes(std::span(a.materials)));
+    visit(h.textures, std::as_bytes(std::span(a.textures)));
+    visit(h.texels, std::as_bytes(std::span(a.texels)));
+    visit(h.lights, std::as_bytes(std::span(a.lights)));
+    visit(h.lightCdf, std::as_bytes(std::span(a.lightCdf)));
+    visit(h.envTexels, std::as_bytes(std::span(a.envTexels)));
+    visit(h.envRows, std::as_bytes(std::span(a.envRows)));
+    visit(h.envColumns, std::as_bytes(std::span(a.envColumns)));
+    visit(h.samplerTable, std::as_bytes(std::span(samplerTable())));
+}
+
+}  // namespace
+
+SceneLayout planScene(const SceneArrays& arrays) {
+    SceneLayout layout;
+    std::size_t words = 0;
+    forEachSection(arrays, layout.header, [&](uint& offset, std::span<const std::byte> bytes) {
+        if (words >= kNone) throw DeviceError("the scene needs more than 64 GiB on the device");
+        offset = bytes.empty() ? kNone : static_cast<uint>(words);
+        words += (bytes.size() + kWord - 1) / kWord;
+    });
+    if (words >= kNone) throw DeviceError("the scene needs more than 64 GiB on the device");
+    layout.bytes = words * kWord;
+    SceneHeader& h = layout.header;
+    h.lightCount = static_cast<uint>(arrays.lights.size());
+    h.rootNode = arrays.rootNode;
+    h.envLight = arrays.envLight;
+    h.envWidth = arrays.envWidth;
+    h.envHeight = arrays.envHeight;
+    h.envCos = std::cos(arrays.envRotation);
+    h.envSin = std::sin(arrays.envRotation);
+    return layout;
+}
+
+void uploadScene(Device& device, const Buffer& buffer, const SceneArrays& arrays, const SceneHeader& header) {
+    forEachSection(arrays, header, [&](const uint& offset, std::span<const std::byte> bytes) {
+        if (!bytes.empty()) uploadBuffer(device, buffer, offset * kWord, bytes);
+    });
+}
+
+}  // namespace vkpt
