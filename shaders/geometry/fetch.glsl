@@ -1,11 +1,14 @@
 // The scene buffer, read in 16-byte words through one of two forms: a texel buffer (the fast one on CPU-type
 // devices) or a storage buffer. The unused binding holds a dummy.
-layout(set = 0, binding = 0, std140) uniform Frame {
+#ifndef VKPT_FRAME_BINDING   // probes bind their arrays first
+#define VKPT_FRAME_BINDING 0
+#endif
+layout(set = 0, binding = VKPT_FRAME_BINDING, std140) uniform Frame {
     SceneHeader scene;
     RenderParams render;
 };
-layout(set = 0, binding = 1, std430) readonly restrict buffer SceneWords { uvec4 sceneWords[]; };
-layout(set = 0, binding = 2, rgba32ui) readonly restrict uniform uimageBuffer sceneTexels;
+layout(set = 0, binding = VKPT_FRAME_BINDING + 1, std430) readonly restrict buffer SceneWords { uvec4 sceneWords[]; };
+layout(set = 0, binding = VKPT_FRAME_BINDING + 2, rgba32ui) readonly restrict uniform uimageBuffer sceneTexels;
 
 uvec4 sceneWord(uint index) {
     if (kFetchTexel != 0u) return imageLoad(sceneTexels, int(index));

@@ -9,6 +9,7 @@
 #include "geometry/wide_node.glsl"
 #include "geometry/traverse.glsl"
 #include "material/alpha.glsl"
+#include "kernels/alpha_key.glsl"
 
 void main() {
     uint i = gl_GlobalInvocationID.x;

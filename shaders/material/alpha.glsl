@@ -12,9 +12,3 @@ bool alphaAccepts(AlphaKey key, uint flags, uvec3 vertices, uint instance, uint 
     if ((m.flags & kMaterialAlphaMask) != 0u) return alpha >= m.alphaCutoff;
     return toUnit(hash(uvec4(key.bits, instance, primitive, kSaltAlpha)).x) < alpha;
 }
-
-// Key of the segment that `path` traces in this dispatch; constant where nothing has alpha.
-AlphaKey alphaKeyOf(uint path, uint kind) {
-    if (kHasAlpha == 0u) return AlphaKey(0u);
-    return makeAlphaKey(sampleIdOf(path), batch.bounce, kind);
-}
