@@ -11,11 +11,11 @@ namespace vkpt {
 
 /// What the scene holds, so that kernels can leave out what it does not.
 struct SceneFeatures {
-    bool instances = false;         ///< two-level BVH
-    bool alpha = false;             ///< some triangle is MASK or BLEND
-    bool textures = false;          ///< any texture at all
+    bool instances = false;  ///< two-level BVH
+    bool alpha = false;      ///< some triangle is MASK or BLEND
+    bool textures = false;   ///< any texture at all
     bool normalMaps = false;
-    bool vertexExtras = false;      ///< TEXCOORD_1 or COLOR_0
+    bool vertexExtras = false;  ///< TEXCOORD_1 or COLOR_0
     bool triangleLights = false;
     bool texturedEmission = false;  ///< a triangle light has an emissive texture
     bool punctualLights = false;
@@ -34,23 +34,28 @@ struct SceneArrays {
     std::vector<VertexRecord> vertices;
     std::vector<VertexExtra> vertexExtras;  ///< empty, or one a vertex
     std::vector<MeshRange> meshRanges;      ///< [0] is the baked geometry, possibly empty
-    std::vector<InstanceRecord> instances;  ///< empty without instancing; else [0] places meshRanges[0] at identity
+    /// Empty without instancing; else [0] places meshRanges[0] at identity, unless that range is empty: then no
+    /// instance places it. Every placement has a positive determinant.
+    std::vector<InstanceRecord> instances;
     std::vector<std::uint32_t> instanceMesh;  ///< which MeshRange each instance places
     std::vector<MaterialRecord> materials;
     std::vector<TextureRecord> textures;
     std::vector<std::uint32_t> texels;
     std::vector<LightRecord> lights;
-    std::vector<float> lightCdf;            ///< inclusive; the last is 1
-    std::vector<vec4> envTexels;            ///< empty without an environment
-    std::vector<float> envRows;             ///< marginal CDF, padded with 1 to a multiple of 4
-    std::vector<float> envColumns;          ///< conditional CDFs, each row padded with 1 to a multiple of 4
+    std::vector<float> lightCdf;    ///< inclusive; the last is 1; multiples of 2^-24 (sampling_table.h)
+    std::vector<float> lightPower;  ///< one a light: what pmf is proportional to, lumens or a like weight
+    std::vector<vec4> envTexels;    ///< empty without an environment
+    std::vector<float> envRows;     ///< marginal CDF, padded with 1 to a multiple of 4
+    std::vector<float> envColumns;  ///< conditional CDFs, each row padded with 1 to a multiple of 4
     std::uint32_t envWidth = 0, envHeight = 0, envLight = kNone;
-    float envRotation = 0;                  ///< radians about +y
-    std::vector<WideNode> nodes;            ///< filled by buildBvh
-    std::uint32_t rootNode = 0;             ///< root of the top level, or of the only level
-    glm::vec3 boundsMin{0}, boundsMax{0};   ///< world space, of everything
+    float envRotation = 0;                 ///< radians about +y
+    std::vector<WideNode> nodes;           ///< filled by buildBvh
+    std::uint32_t rootNode = 0;            ///< root of the top level, or of the only level
+    glm::vec3 boundsMin{0}, boundsMax{0};  ///< world space, of everything
     SceneFeatures features;
     std::vector<std::string> objectNames, materialNames;
+    std::uint64_t droppedTriangles = 0;  ///< without area, or with non-finite corners
+    std::uint64_t droppedInstances = 0;  ///< placements of shared meshes by a matrix without an inverse
 };
 
 }  // namespace vkpt

@@ -1,0 +1,84 @@
+#include "scene/texture_light.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/math.h"
+
+namespace vkpt {
+namespace {
+
+constexpr int kLeastSteps = 4, kMostSteps = 64;  // a triangle is cut into steps^2 equal ones
+
+const std::array<float, 256>& srgbTable() {
+    static const std::array<float, 256> table = [] {
+        std::array<float, 256> t{};
+        for (std::size_t i = 0; i < t.size(); ++i) t[i] = srgbToLinear(static_cast<float>(i) / 255.0F);
+        return t;
+    }();
+    return table;
+}
+
+std::int64_t wrap(std::int64_t i, std::int64_t n, std::uint32_t mode) {
+    if (mode == kWrapClamp) return std::clamp<std::int64_t>(i, 0, n - 1);
+    const std::int64_t period = mode == kWrapMirror ? 2 * n : n;
+    i = (i % period + period) % period;
+    return i < n ? i : period - 1 - i;
+}
+
+struct Sampler {
+    const SceneArrays& arrays;
+    const TextureRecord& texture;
+    glm::vec3 factor;
+    std::int64_t width = texture.size & 0xffffU, height = texture.size >> 16U;
+
+    [[nodiscard]] float texel(std::int64_t x, std::int64_t y) const {
+        const std::int64_t i = wrap(x, width, texture.flags >> kTextureWrapSShift & kTextureWrapMask);
+        const std::int64_t j = wrap(y, height, texture.flags >> kTextureWrapTShift & kTextureWrapMask);
+        const std::uint32_t bits = arrays.texels[texture.texels + static_cast<std::size_t>(j * width + i)];
+        const auto& decode = srgbTable();
+        return luminance(factor *
+                         glm::vec3(decode[bits & 255U], decode[bits >> 8U & 255U], decode[bits >> 16U & 255U]));
+    }
+
+    /// At a position in texels, where texel i covers [i, i+1).
+    [[nodiscard]] float at(const glm::vec2& p) const {
+        if ((texture.flags & kTextureNearest) != 0) {
+            return texel(static_cast<std::int64_t>(std::floor(p.x)), static_cast<std::int64_t>(std::floor(p.y)));
+        }
+        const glm::vec2 base = glm::floor(p - 0.5F), f = p - 0.5F - base;
+        const auto x = static_cast<std::int64_t>(base.x), y = static_cast<std::int64_t>(base.y);
+        return glm::mix(glm::mix(texel(x, y), texel(x + 1, y), f.x),
+                        glm::mix(texel(x, y + 1), texel(x + 1, y + 1), f.x), f.y);
+    }
+};
+
+}  // namespace
+
+float meanEmission(const SceneArrays& arrays, const TextureRecord& texture, const glm::vec3& factor,
+                   const std::array<glm::vec2, 3>& uv) {
+    const Sampler sampler{arrays, texture, factor};
+    std::array<glm::vec2, 3> p;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::vec3 v(uv[i], 1);
+        p[i] = glm::vec2(glm::dot(glm::vec3(texture.rowU), v) * static_cast<float>(sampler.width),
+                         glm::dot(glm::vec3(texture.rowV), v) * static_cast<float>(sampler.height));
+        if (!(std::abs(p[i].x) < 1e9F && std::abs(p[i].y) < 1e9F)) return 0;
+    }
+    const float extent = std::max({glm::distance(p[0], p[1]), glm::distance(p[1], p[2]), glm::distance(p[2], p[0])});
+    const int steps = static_cast<int>(std::clamp(extent, float{kLeastSteps}, float{kMostSteps}));
+    const glm::vec2 du = (p[1] - p[0]) / static_cast<float>(steps), dv = (p[2] - p[0]) / static_cast<float>(steps);
+
+    // The centroids of steps^2 congruent triangles: upright ones at a third, inverted ones at two thirds.
+    double sum = 0;
+    for (int j = 0; j < steps; ++j) {
+        for (int i = 0; i + j < steps; ++i) {
+            const glm::vec2 corner = p[0] + static_cast<float>(i) * du + static_cast<float>(j) * dv;
+            sum += sampler.at(corner + (du + dv) / 3.0F);
+            if (i + j + 1 < steps) sum += sampler.at(corner + (du + dv) * (2.0F / 3.0F));
+        }
+    }
+    return static_cast<float>(sum / (static_cast<double>(steps) * steps));
+}
+
+}  // namespace vkpt
