@@ -1,0 +1,235 @@
+#include "gltf/accessor.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <string>
+#include <type_traits>
+
+namespace vkpt::gltf {
+namespace {
+
+// Accessors without bytes behind them are zeros: nothing in the file vouches for their count.
+constexpr std::size_t kMaxZeros = std::size_t{1} << 24;
+
+std::uint32_t componentCount(const Document& document, std::size_t index, const std::string& type) {
+    if (type == "SCALAR") return 1;
+    if (type == "VEC2") return 2;
+    if (type == "VEC3") return 3;
+    if (type == "VEC4") return 4;
+    document.fail("accessors[{}].type: {} where a scalar or vector is needed", index, type);
+}
+
+Component componentType(const Document& document, const std::string& place, const Json& object) {
+    const auto type = member(object, "componentType").get<std::size_t>();
+    switch (type) {
+        case 5120:
+        case 5121:
+        case 5122:
+        case 5123:
+        case 5125:
+        case 5126:
+            return static_cast<Component>(type);
+        default:
+            document.fail("{}.componentType: {} is none of glTF's", place, type);
+    }
+}
+
+std::size_t componentSize(Component component) {
+    switch (component) {
+        case Component::Int8:
+        case Component::UInt8:
+            return 1;
+        case Component::Int16:
+        case Component::UInt16:
+            return 2;
+        case Component::UInt32:
+        case Component::Float:
+            return 4;
+    }
+    return 0;
+}
+
+// Points `span` at its bytes and proves that they are there.
+void attach(const Document& document, const std::string& place, ElementSpan& span, std::size_t elementSize,
+            std::size_t view, std::size_t offset) {
+    const auto bytes = document.bufferView(view);
+    const std::size_t stride = document.item("bufferViews", view).value("byteStride", elementSize);
+    if (stride < elementSize)
+        document.fail("bufferViews[{}].byteStride: {} is less than the {} bytes of an element of {}", view, stride,
+                      elementSize, place);
+    // count is at most 2^53 and stride may be as large: divide instead of multiplying.
+    const bool fits = offset <= bytes.size() && elementSize <= bytes.size() - offset &&
+                      span.count - 1 <= (bytes.size() - offset - elementSize) / stride;
+    if (!fits) {
+        const double needed =
+            static_cast<double>(span.count - 1) * static_cast<double>(stride) + static_cast<double>(elementSize);
+        document.fail("{}: needs {:.0f} bytes at offset {}, but bufferViews[{}] holds {}", place, needed, offset, view,
+                      bytes.size());
+    }
+    span.data = bytes.data() + offset;
+    span.stride = stride;
+}
+
+void openSparse(const Document& document, const std::string& place, const Json& sparse, Accessor& accessor) {
+    const Json& indices = member(sparse, "indices");
+    const Json& values = member(sparse, "values");
+    const auto count = member(sparse, "count").get<std::size_t>();
+    if (count > accessor.count())
+        document.fail("{}.sparse.count: {} is more than the accessor's {}", place, count, accessor.count());
+
+    accessor.sparseIndices = {nullptr, count, 0, componentType(document, place + ".sparse.indices", indices), false};
+    const Component type = accessor.sparseIndices.component;
+    if (type != Component::UInt8 && type != Component::UInt16 && type != Component::UInt32)
+        document.fail("{}.sparse.indices.componentType: must be an unsigned integer", place);
+    attach(document, place + ".sparse.indices", accessor.sparseIndices, componentSize(type),
+           member(indices, "bufferView").get<std::size_t>(), indices.value("byteOffset", std::size_t{0}));
+
+    accessor.sparseValues = {nullptr, count, 0, accessor.dense.component, accessor.dense.normalized};
+    attach(document, place + ".sparse.values", accessor.sparseValues,
+           componentSize(accessor.dense.component) * accessor.components,
+           member(values, "bufferView").get<std::size_t>(), values.value("byteOffset", std::size_t{0}));
+}
+
+// Calls `visit` with a value of the C++ type behind `component`.
+template <typename Visit>
+void dispatch(Component component, Visit&& visit) {
+    switch (component) {
+        case Component::Int8:
+            return visit(std::int8_t{});
+        case Component::UInt8:
+            return visit(std::uint8_t{});
+        case Component::Int16:
+            return visit(std::int16_t{});
+        case Component::UInt16:
+            return visit(std::uint16_t{});
+        case Component::UInt32:
+            return visit(std::uint32_t{});
+        case Component::Float:
+            return visit(float{});
+    }
+}
+
+template <typename T>
+T load(const std::byte* from) {
+    T value;
+    std::memcpy(&value, from, sizeof value);  // files need not honour alignment
+    return value;
+}
+
+// Normalised integers: f = c / max, and no less than -1. [glTF 2.0, §3.6.2.2]
+template <typename T, bool normalized>
+float toFloat(T value) {
+    if constexpr (std::is_same_v<T, float> || !normalized)
+        return static_cast<float>(value);
+    else
+        return std::max(static_cast<float>(value) / static_cast<float>(std::numeric_limits<T>::max()), -1.0F);
+}
+
+template <typename V, typename T, bool normalized>
+V loadVector(const std::byte* from) {
+    V vector;
+    for (glm::length_t c = 0; c < V::length(); ++c)
+        vector[c] = toFloat<T, normalized>(load<T>(from + static_cast<std::size_t>(c) * sizeof(T)));
+    return vector;
+}
+
+// The one loop over vertices: element first + i goes to out[slot(i)].
+template <typename V, typename Slot>
+void convert(const ElementSpan& span, std::size_t first, std::size_t count, V* out, Slot&& slot) {
+    const std::byte* from = span.data + first * span.stride;
+    const std::size_t stride = span.stride;
+    dispatch(span.component, [&](auto sample) {
+        using T = decltype(sample);
+        if (span.normalized)
+            for (std::size_t i = 0; i < count; ++i) out[slot(i)] = loadVector<V, T, true>(from + i * stride);
+        else
+            for (std::size_t i = 0; i < count; ++i) out[slot(i)] = loadVector<V, T, false>(from + i * stride);
+    });
+}
+
+std::vector<std::uint32_t> loadIntegers(const ElementSpan& span) {
+    std::vector<std::uint32_t> values(span.count);
+    if (span.data == nullptr) return values;
+    dispatch(span.component, [&](auto sample) {
+        using T = decltype(sample);
+        for (std::size_t i = 0; i < span.count; ++i)
+            values[i] = static_cast<std::uint32_t>(load<T>(span.data + i * span.stride));
+    });
+    return values;
+}
+
+// Positions of the sparse values, which must rise strictly. [glTF 2.0, §3.6.2.3]
+std::vector<std::uint32_t> sparsePositions(const Document& document, const Accessor& accessor) {
+    std::vector<std::uint32_t> at = loadIntegers(accessor.sparseIndices);
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        if (at[i] >= accessor.count())
+            document.fail("accessors[{}].sparse.indices: {} is past its {} elements", accessor.index, at[i],
+                          accessor.count());
+        if (i > 0 && at[i] <= at[i - 1])
+            document.fail("accessors[{}].sparse.indices: must rise, but {} follows {}", accessor.index, at[i],
+                          at[i - 1]);
+    }
+    return at;
+}
+
+}  // namespace
+
+Accessor openAccessor(const Document& document, std::size_t index) {
+    const Json& object = document.item("accessors", index);
+    const std::string place = fmt::format("accessors[{}]", index);
+    Accessor accessor;
+    accessor.index = index;
+    accessor.components = componentCount(document, index, member(object, "type").get_ref<const std::string&>());
+    accessor.dense.count = member(object, "count").get<std::size_t>();
+    accessor.dense.component = componentType(document, place, object);
+    accessor.dense.normalized = object.value("normalized", false);
+
+    const Json& view = member(object, "bufferView");
+    if (!view.is_null()) {
+        attach(document, place, accessor.dense, componentSize(accessor.dense.component) * accessor.components,
+               view.get<std::size_t>(), object.value("byteOffset", std::size_t{0}));
+    } else if (accessor.count() > kMaxZeros) {
+        document.fail("{}: states {} elements without a bufferView; at most {} are taken", place, accessor.count(),
+                      kMaxZeros);
+    }
+    const Json& sparse = member(object, "sparse");
+    if (!sparse.is_null()) {
+        openSparse(document, place, sparse, accessor);
+        accessor.sparseAt = sparsePositions(document, accessor);
+    }
+    return accessor;
+}
+
+template <typename V>
+std::vector<V> readVectors(const Accessor& accessor, std::size_t first, std::size_t count) {
+    std::vector<V> out(count, V(0));
+    if (accessor.dense.data != nullptr)
+        convert(accessor.dense, first, count, out.data(), [](std::size_t i) { return i; });
+
+    const auto& at = accessor.sparseAt;
+    const auto begin = std::lower_bound(at.begin(), at.end(), first);
+    const auto end = std::lower_bound(begin, at.end(), first + count);
+    if (begin != end)
+        convert(accessor.sparseValues, static_cast<std::size_t>(begin - at.begin()),
+                static_cast<std::size_t>(end - begin), out.data(),
+                [&](std::size_t i) { return begin[static_cast<std::ptrdiff_t>(i)] - first; });
+    return out;
+}
+
+template std::vector<glm::vec2> readVectors(const Accessor&, std::size_t, std::size_t);
+template std::vector<glm::vec3> readVectors(const Accessor&, std::size_t, std::size_t);
+template std::vector<glm::vec4> readVectors(const Accessor&, std::size_t, std::size_t);
+
+std::vector<std::uint32_t> readIndices(const Document& document, const Accessor& accessor) {
+    const Component type = accessor.dense.component;
+    if (accessor.components != 1 || accessor.dense.normalized ||
+        (type != Component::UInt8 && type != Component::UInt16 && type != Component::UInt32))
+        document.fail("accessors[{}]: indices must be unsigned scalars", accessor.index);
+    std::vector<std::uint32_t> values = loadIntegers(accessor.dense);
+    const std::vector<std::uint32_t> replaced = loadIntegers(accessor.sparseValues);
+    for (std::size_t i = 0; i < replaced.size(); ++i) values[accessor.sparseAt[i]] = replaced[i];
+    return values;
+}
+
+}  // namespace vkpt::gltf

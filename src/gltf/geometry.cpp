@@ -1,0 +1,199 @@
+#include "gltf/geometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "gltf/accessor.h"
+#include "gltf/normals.h"
+#include "gltf/tangents.h"
+#include "gltf/topology.h"
+
+namespace vkpt::gltf {
+namespace {
+
+constexpr std::size_t kLastMode = static_cast<std::size_t>(Mode::TriangleFan);
+
+/// The vertices that the primitive's triangles use lie in [first, first + count): many primitives may share one
+/// accessor, so only this range is read.
+struct VertexRange {
+    std::size_t first = 0, count = 0;
+};
+
+class PrimitiveReader {
+public:
+    PrimitiveReader(const Document& document, const Json& object, std::string place, std::vector<std::string>& warnings)
+        : document_(document), object_(object), place_(std::move(place)), warnings_(warnings) {}
+
+    std::optional<Primitive> read(const Material& material, Skipped& skipped);
+
+private:
+    [[nodiscard]] std::optional<Accessor> openAttribute(const char* name, std::uint32_t least,
+                                                        std::uint32_t most) const;
+    [[nodiscard]] std::vector<std::uint32_t> vertexOrder() const;
+    template <typename V>
+    [[nodiscard]] std::vector<V> attribute(const char* name, std::uint32_t components) const;
+    void readAttributes(Primitive& primitive) const;
+    void readColors(Primitive& primitive) const;
+    void checkPositions(const Primitive& primitive) const;
+    void zeroBadNumbers(std::vector<glm::vec2>& values, const char* name) const;
+    void finishShading(Primitive& primitive, const Material& material) const;
+
+    const Document& document_;
+    const Json& object_;
+    std::string place_;
+    std::vector<std::string>& warnings_;
+    std::optional<Accessor> positions_;
+    VertexRange range_;
+};
+
+/// Opens an attribute and checks what the specification demands of all of them; none where it is absent.
+std::optional<Accessor> PrimitiveReader::openAttribute(const char* name, std::uint32_t least,
+                                                       std::uint32_t most) const {
+    const Json& index = member(member(object_, "attributes"), name);
+    if (index.is_null()) return std::nullopt;
+    Accessor accessor = openAccessor(document_, index.get<std::size_t>());
+    if (accessor.components < least || accessor.components > most)
+        document_.fail("{}.attributes.{}: accessors[{}] has {} components, not {}", place_, name, accessor.index,
+                       accessor.components, least);
+    if (accessor.dense.component == Component::UInt32)
+        document_.fail("{}.attributes.{}: accessors[{}] holds 32-bit integers, which only indices may", place_, name,
+                       accessor.index);
+    if (positions_ && accessor.count() != positions_->count())
+        document_.fail("{}.attributes.{}: has {} elements, but POSITION has {}", place_, name, accessor.count(),
+                       positions_->count());
+    return accessor;
+}
+
+/// Indices of the vertices in drawing order.
+std::vector<std::uint32_t> PrimitiveReader::vertexOrder() const {
+    std::vector<std::uint32_t> order;
+    const Json& indices = member(object_, "indices");
+    if (indices.is_null()) {
+        order.resize(positions_->count());
+        std::iota(order.begin(), order.end(), 0U);
+        return order;
+    }
+    const Accessor accessor = openAccessor(document_, indices.get<std::size_t>());
+    order = readIndices(document_, accessor);
+    const auto past =
+        std::find_if(order.begin(), order.end(), [&](std::uint32_t i) { return i >= positions_->count(); });
+    if (past != order.end())
+        document_.fail("{}.indices: accessors[{}][{}] is {}, but there are {} vertices", place_, accessor.index,
+                       past - order.begin(), *past, positions_->count());
+    return order;
+}
+
+template <typename V>
+std::vector<V> PrimitiveReader::attribute(const char* name, std::uint32_t components) const {
+    const auto accessor = openAttribute(name, components, components);
+    return accessor ? readVectors<V>(*accessor, range_.first, range_.count) : std::vector<V>();
+}
+
+void PrimitiveReader::zeroBadNumbers(std::vector<glm::vec2>& values, const char* name) const {
+    std::size_t bad = 0;
+    for (glm::vec2& v : values) {
+        if (std::isfinite(v.x) && std::isfinite(v.y)) continue;
+        v = glm::vec2(0);
+        ++bad;
+    }
+    if (bad > 0)
+        warnings_.push_back(fmt::format("{}.attributes.{}: {} values are not finite; taken as 0", place_, name, bad));
+}
+
+/// COLOR_0: integers are normalised even where the file forgets to say so, since no others are allowed.
+void PrimitiveReader::readColors(Primitive& primitive) const {
+    auto accessor = openAttribute("COLOR_0", 3, 4);
+    if (!accessor) return;
+    accessor->dense.normalized = accessor->sparseValues.normalized = true;
+    if (accessor->components == 4) {
+        primitive.colors = readVectors<glm::vec4>(*accessor, range_.first, range_.count);
+    } else {
+        const auto rgb = readVectors<glm::vec3>(*accessor, range_.first, range_.count);
+        primitive.colors.reserve(rgb.size());
+        for (const glm::vec3& c : rgb) primitive.colors.emplace_back(c, 1.0F);
+    }
+    // Written so that NaN becomes 0.
+    const auto clampUnit = [](float x) { return x > 0 ? std::min(x, 1.0F) : 0.0F; };
+    for (glm::vec4& c : primitive.colors) c = {clampUnit(c.r), clampUnit(c.g), clampUnit(c.b), clampUnit(c.a)};
+}
+
+void PrimitiveReader::readAttributes(Primitive& primitive) const {
+    primitive.positions = readVectors<glm::vec3>(*positions_, range_.first, range_.count);
+    checkPositions(primitive);
+    primitive.normals = attribute<glm::vec3>("NORMAL", 3);
+    primitive.tangents = attribute<glm::vec4>("TANGENT", 4);
+    primitive.uv0 = attribute<glm::vec2>("TEXCOORD_0", 2);
+    primitive.uv1 = attribute<glm::vec2>("TEXCOORD_1", 2);
+    zeroBadNumbers(primitive.uv0, "TEXCOORD_0");
+    zeroBadNumbers(primitive.uv1, "TEXCOORD_1");
+    readColors(primitive);
+}
+
+void PrimitiveReader::checkPositions(const Primitive& primitive) const {
+    for (std::size_t i = 0; i < primitive.positions.size(); ++i) {
+        const glm::vec3& p = primitive.positions[i];
+        if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+            document_.fail("{}.attributes.POSITION: accessors[{}][{}] is not finite", place_, positions_->index,
+                           range_.first + i);
+    }
+}
+
+void PrimitiveReader::finishShading(Primitive& primitive, const Material& material) const {
+    if (primitive.normals.empty()) {
+        makeFlat(primitive);
+    } else if (const std::size_t bad = repairNormals(primitive); bad > 0) {
+        warnings_.push_back(fmt::format("{}.attributes.NORMAL: {} normals have no direction; made anew", place_, bad));
+    }
+    if (material.normalTexture.image < 0) {
+        primitive.tangents.clear();
+        return;
+    }
+    if (!primitive.tangents.empty() && !tangentsAreUsable(primitive.tangents)) {
+        warnings_.push_back(fmt::format("{}.attributes.TANGENT: some have no direction; all made anew", place_));
+        primitive.tangents.clear();
+    }
+    if (primitive.tangents.empty()) makeTangents(primitive, material.normalTexture.uvSet);
+}
+
+std::optional<Primitive> PrimitiveReader::read(const Material& material, Skipped& skipped) {
+    const std::size_t modeNumber = object_.value("mode", static_cast<std::size_t>(Mode::Triangles));
+    if (modeNumber > kLastMode) document_.fail("{}.mode: {} is none of glTF's", place_, modeNumber);
+    const Mode mode = static_cast<Mode>(modeNumber);
+
+    positions_ = openAttribute("POSITION", 3, 3);
+    if (!positions_) {
+        warnings_.push_back(fmt::format("{}: has no POSITION and is skipped", place_));
+        return std::nullopt;
+    }
+    const std::vector<std::uint32_t> order = vertexOrder();
+    if (mode < Mode::Triangles) {
+        (mode == Mode::Points ? skipped.points : skipped.lines) +=
+            mode == Mode::Points ? order.size() : lineCount(mode, order.size());
+        return std::nullopt;
+    }
+
+    Primitive primitive;
+    primitive.triangles = assembleTriangles(mode, order);
+    if (mode == Mode::Triangles && order.size() % 3 != 0)
+        warnings_.push_back(fmt::format("{}: {} vertices are no whole number of triangles", place_, order.size()));
+    if (primitive.triangles.empty()) return std::nullopt;
+
+    const auto [low, high] = std::minmax_element(order.begin(), order.end());
+    range_ = {*low, std::size_t{*high} - *low + 1};
+    for (glm::uvec3& t : primitive.triangles) t -= glm::uvec3(*low);
+    readAttributes(primitive);
+    finishShading(primitive, material);
+    return primitive;
+}
+
+}  // namespace
+
+std::optional<Primitive> readPrimitive(const Document& document, std::size_t mesh, std::size_t index,
+                                       const Material& material, Skipped& skipped, std::vector<std::string>& warnings) {
+    const Json& object = member(document.item("meshes", mesh), "primitives")[index];
+    return PrimitiveReader(document, object, fmt::format("meshes[{}].primitives[{}]", mesh, index), warnings)
+        .read(material, skipped);
+}
+
+}  // namespace vkpt::gltf

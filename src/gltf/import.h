@@ -1,0 +1,21 @@
+// glTF 2.0 file -> Scene.
+#pragma once
+#include <filesystem>
+
+#include "scene/scene.h"
+
+namespace vkpt {
+
+struct ImportOptions {
+    int scene = -1;  ///< index into the file's scenes; -1: its default scene, else its first
+};
+
+/// Reads a .gltf or .glb file with its buffers and images. [glTF 2.0]
+/// Everything is validated: what the file refers to is there and every number is finite.
+/// Holds what the chosen scene draws: meshes, materials and images that nothing places are left out; what is kept
+/// stands in the file's order. Cameras and lights come one for each node that carries one.
+/// Throws FileError, naming the place in the file, where the file is missing, malformed or needs an extension that
+/// vkpt does not support. Lesser faults become Scene::warnings.
+[[nodiscard]] Scene importGltf(const std::filesystem::path& file, const ImportOptions& options = {});
+
+}  // namespace vkpt

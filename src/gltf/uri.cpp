@@ -1,0 +1,107 @@
+// URIs of glTF files: relative references and base64 data.
+#include <array>
+#include <cctype>
+#include <cstdint>
+
+#include "base/error.h"
+#include "gltf/document.h"
+
+namespace vkpt::gltf {
+namespace {
+
+constexpr std::size_t kShownUri = 80;  // longer URIs are cut in messages
+
+std::string shown(std::string_view uri) {
+    return uri.size() <= kShownUri ? std::string(uri) : std::string(uri.substr(0, kShownUri)) + "…";
+}
+
+int hexDigit(char c) {
+    if (c >= '0' && c <= '9') return c - '0';
+    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+    if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+    return -1;
+}
+
+// A percent sign that begins no valid escape stands for itself: exporters forget to encode it.
+std::string percentDecode(std::string_view uri) {
+    std::string text;
+    text.reserve(uri.size());
+    for (std::size_t i = 0; i < uri.size(); ++i) {
+        const bool escape =
+            uri[i] == '%' && i + 2 < uri.size() && hexDigit(uri[i + 1]) >= 0 && hexDigit(uri[i + 2]) >= 0;
+        if (escape) {
+            text += static_cast<char>(hexDigit(uri[i + 1]) * 16 + hexDigit(uri[i + 2]));
+            i += 2;
+        } else {
+            text += uri[i];
+        }
+    }
+    return text;
+}
+
+bool hasScheme(std::string_view uri) {
+    const std::size_t colon = uri.find(':');
+    if (colon == std::string_view::npos || colon == 0 || uri.find('/') < colon) return false;
+    if (!std::isalpha(static_cast<unsigned char>(uri[0]))) return false;
+    for (const char c : uri.substr(0, colon))
+        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '+' && c != '-' && c != '.') return false;
+    return true;
+}
+
+constexpr std::uint8_t kNoDigit = 255;
+
+constexpr std::array<std::uint8_t, 256> makeBase64Table() {
+    std::array<std::uint8_t, 256> table{};
+    table.fill(kNoDigit);
+    constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    for (std::size_t i = 0; i < kAlphabet.size(); ++i)
+        table[static_cast<unsigned char>(kAlphabet[i])] = static_cast<std::uint8_t>(i);
+    table[static_cast<unsigned char>('-')] = 62;  // the URL-safe alphabet
+    table[static_cast<unsigned char>('_')] = 63;
+    return table;
+}
+
+}  // namespace
+
+std::filesystem::path resolveUri(std::string_view uri, const std::filesystem::path& folder, const std::string& blamed,
+                                 std::string_view place) {
+    const auto refuse = [&](std::string_view reason) {
+        throw FileError(blamed, fmt::format("{}: uri \"{}\" {}", place, shown(uri), reason));
+    };
+    if (hasScheme(uri)) refuse("is not relative; only files in the scene's folder are read");
+    const std::string text = percentDecode(uri);
+    if (text.empty()) refuse("is empty");
+    if (text.find('\0') != std::string::npos) refuse("holds a zero byte");
+    const std::filesystem::path relative = std::filesystem::path(text).lexically_normal();
+    if (relative.is_absolute() || *relative.begin() == "..")
+        refuse("leaves the scene's folder; only files inside it are read");
+    return folder / relative;
+}
+
+Bytes decodeDataUri(std::string_view uri, const std::string& blamed, std::string_view place) {
+    static constexpr auto kTable = makeBase64Table();
+    const auto refuse = [&](std::string_view reason) {
+        throw FileError(blamed, fmt::format("{}: data URI {}", place, reason));
+    };
+    const std::size_t comma = uri.find(',');
+    if (comma == std::string_view::npos || !uri.substr(0, comma).ends_with(";base64")) refuse("is not in base64");
+    std::string_view text = uri.substr(comma + 1);
+    while (text.ends_with('=')) text.remove_suffix(1);
+    if (text.size() % 4 == 1) refuse("is cut short");
+
+    Bytes bytes{std::make_unique_for_overwrite<std::byte[]>(text.size() / 4 * 3 + 3), 0};
+    std::uint32_t pending = 0;
+    int bits = 0;
+    for (const char c : text) {
+        const std::uint8_t digit = kTable[static_cast<unsigned char>(c)];
+        if (digit == kNoDigit) refuse("holds a character that is not base64");
+        pending = pending << 6 | digit;
+        bits += 6;
+        if (bits < 8) continue;
+        bits -= 8;
+        bytes.data[bytes.size++] = static_cast<std::byte>(pending >> bits);
+    }
+    return bytes;
+}
+
+}  // namespace vkpt::gltf
