@@ -1,5 +1,6 @@
 # Sourced by tools/vkpt and tools/test: packages, locking, configuring, quiet building.
 # Expects: set -euo pipefail, $root (the repository), $tool (name for messages).
+# shellcheck disable=SC2154
 
 say() { printf '%s: %s\n' "$tool" "$*" >&2; }
 fail() { # fail CODE MESSAGE…
@@ -55,7 +56,9 @@ ensure_packages() {
 
 # Only one build at a time in this repository. The lock ends with unlock_build or the process.
 lock_build() {
-    mkdir -p "$root/build"
+    if ! mkdir -p "$root/build" 2>/dev/null || ! touch "$root/build/.lock" 2>/dev/null; then
+        fail 4 "$root/build: cannot be written"
+    fi
     exec 9>"$root/build/.lock"
     flock -n 9 || {
         say "waiting for another build to finish"
