@@ -54,7 +54,7 @@ std::size_t componentSize(Component component) {
 void attach(const Document& document, const std::string& place, ElementSpan& span, std::size_t elementSize,
             std::size_t view, std::size_t offset) {
     const auto bytes = document.bufferView(view);
-    const std::size_t stride = document.item("bufferViews", view).value("byteStride", elementSize);
+    const std::size_t stride = valueOr(document.item("bufferViews", view), "byteStride", elementSize);
     if (stride < elementSize)
         document.fail("bufferViews[{}].byteStride: {} is less than the {} bytes of an element of {}", view, stride,
                       elementSize, place);
@@ -83,12 +83,12 @@ void openSparse(const Document& document, const std::string& place, const Json& 
     if (type != Component::UInt8 && type != Component::UInt16 && type != Component::UInt32)
         document.fail("{}.sparse.indices.componentType: must be an unsigned integer", place);
     attach(document, place + ".sparse.indices", accessor.sparseIndices, componentSize(type),
-           member(indices, "bufferView").get<std::size_t>(), indices.value("byteOffset", std::size_t{0}));
+           member(indices, "bufferView").get<std::size_t>(), valueOr(indices, "byteOffset", std::size_t{0}));
 
     accessor.sparseValues = {nullptr, count, 0, accessor.dense.component, accessor.dense.normalized};
     attach(document, place + ".sparse.values", accessor.sparseValues,
            componentSize(accessor.dense.component) * accessor.components,
-           member(values, "bufferView").get<std::size_t>(), values.value("byteOffset", std::size_t{0}));
+           member(values, "bufferView").get<std::size_t>(), valueOr(values, "byteOffset", std::size_t{0}));
 }
 
 // Calls `visit` with a value of the C++ type behind `component`.
@@ -183,12 +183,12 @@ Accessor openAccessor(const Document& document, std::size_t index) {
     accessor.components = componentCount(document, index, member(object, "type").get_ref<const std::string&>());
     accessor.dense.count = member(object, "count").get<std::size_t>();
     accessor.dense.component = componentType(document, place, object);
-    accessor.dense.normalized = object.value("normalized", false);
+    accessor.dense.normalized = valueOr(object, "normalized", false);
 
     const Json& view = member(object, "bufferView");
     if (!view.is_null()) {
         attach(document, place, accessor.dense, componentSize(accessor.dense.component) * accessor.components,
-               view.get<std::size_t>(), object.value("byteOffset", std::size_t{0}));
+               view.get<std::size_t>(), valueOr(object, "byteOffset", std::size_t{0}));
     } else if (accessor.count() > kMaxZeros) {
         document.fail("{}: states {} elements without a bufferView; at most {} are taken", place, accessor.count(),
                       kMaxZeros);

@@ -10,20 +10,20 @@ namespace {
 
 // A node's own name says more about a placed thing than the thing's.
 std::string nameOf(const Json& node, const Json& thing) {
-    const std::string name = node.value("name", "");
-    return name.empty() ? thing.value("name", "") : name;
+    const std::string name = textOr(node, "name", "");
+    return name.empty() ? textOr(thing, "name", "") : name;
 }
 
 Camera readCamera(const Document& document, std::size_t index) {
     const Json& object = document.item("cameras", index);
-    const std::string type = object.value("type", "");
+    const std::string type = textOr(object, "type", "");
     Camera camera;
     if (type == "perspective" && object.contains("perspective")) {
         const Json& lens = member(object, "perspective");
         camera.yfov = member(lens, "yfov").get<float>();
         if (!(camera.yfov > 0 && camera.yfov < kPi))
             document.fail("cameras[{}].perspective.yfov: {} must lie between 0 and pi", index, camera.yfov);
-        const float aspect = lens.value("aspectRatio", 0.0F);
+        const float aspect = valueOr(lens, "aspectRatio", 0.0F);
         if (aspect > 0) camera.aspect = aspect;
     } else if (type == "orthographic" && object.contains("orthographic")) {
         const Json& window = member(object, "orthographic");
@@ -41,7 +41,7 @@ Camera readCamera(const Document& document, std::size_t index) {
 
 PunctualLight readLight(const Document& document, const Json& lights, std::size_t index) {
     const Json& object = lights[index];
-    const std::string type = object.value("type", "");
+    const std::string type = textOr(object, "type", "");
     PunctualLight light;
     if (type == "directional")
         light.kind = PunctualKind::Directional;
@@ -52,12 +52,12 @@ PunctualLight readLight(const Document& document, const Json& lights, std::size_
                       index, type);
     const Json& color = member(object, "color");
     if (!color.is_null()) light.intensity = {color[0].get<float>(), color[1].get<float>(), color[2].get<float>()};
-    light.intensity = glm::max(light.intensity * object.value("intensity", 1.0F), 0.0F);
-    light.range = std::max(object.value("range", 0.0F), 0.0F);
+    light.intensity = glm::max(light.intensity * valueOr(object, "intensity", 1.0F), 0.0F);
+    light.range = std::max(valueOr(object, "range", 0.0F), 0.0F);
     // Exporters write inner == outer for a hard edge, which the specification does not allow but means.
     const Json& spot = member(object, "spot");
-    light.outerConeAngle = std::clamp(spot.value("outerConeAngle", kPi / 4), 0.0F, kPi / 2);
-    light.innerConeAngle = std::clamp(spot.value("innerConeAngle", 0.0F), 0.0F, light.outerConeAngle);
+    light.outerConeAngle = std::clamp(valueOr(spot, "outerConeAngle", kPi / 4), 0.0F, kPi / 2);
+    light.innerConeAngle = std::clamp(valueOr(spot, "innerConeAngle", 0.0F), 0.0F, light.outerConeAngle);
     return light;
 }
 

@@ -142,7 +142,7 @@ const Json& Document::item(std::string_view section, std::size_t index) const { 
 std::span<const std::byte> Document::bufferView(std::size_t index) const {
     const Json& view = item("bufferViews", index);
     const auto buffer = member(view, "buffer").get<std::size_t>();
-    const std::size_t offset = view.value("byteOffset", std::size_t{0});
+    const std::size_t offset = valueOr(view, "byteOffset", std::size_t{0});
     const auto length = member(view, "byteLength").get<std::size_t>();
     const std::size_t held = buffers_[buffer].size();
     if (buffers_[buffer].data() == nullptr)

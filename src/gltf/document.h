@@ -69,6 +69,15 @@ private:
 
 /// `object[key]`, or null where it is absent.
 [[nodiscard]] const Json& member(const Json& object, std::string_view key);
+/// `object[key]` as a T, or `fallback` where it or the object is absent. The schema has checked the type.
+template <typename T>
+[[nodiscard]] T valueOr(const Json& object, std::string_view key, T fallback) {
+    const Json& value = member(object, key);
+    return value.is_null() ? fallback : value.template get<T>();
+}
+[[nodiscard]] inline std::string textOr(const Json& object, std::string_view key, const char* fallback) {
+    return valueOr<std::string>(object, key, fallback);
+}
 /// `object.extensions[name]`, or null.
 [[nodiscard]] const Json& extension(const Json& object, std::string_view name);
 

@@ -157,7 +157,7 @@ void PrimitiveReader::finishShading(Primitive& primitive, const Material& materi
 }
 
 std::optional<Primitive> PrimitiveReader::read(const Material& material, Skipped& skipped) {
-    const std::size_t modeNumber = object_.value("mode", static_cast<std::size_t>(Mode::Triangles));
+    const std::size_t modeNumber = valueOr(object_, "mode", static_cast<std::size_t>(Mode::Triangles));
     if (modeNumber > kLastMode) document_.fail("{}.mode: {} is none of glTF's", place_, modeNumber);
     const Mode mode = static_cast<Mode>(modeNumber);
 

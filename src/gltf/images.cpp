@@ -38,7 +38,7 @@ TextureImage loadImage(const Document& document, std::size_t index, std::vector<
         image = decodeJpeg(bytes, fault);
     else
         fault = "is neither PNG nor JPEG";
-    image.name = object.value("name", "");
+    image.name = textOr(object, "name", "");
     if (image.texels.empty()) document.fail("{}: {}", place, fault);
     if (!fault.empty()) warnings.push_back(fmt::format("{}: {}", place, fault));
     return image;

@@ -63,7 +63,7 @@ void Importer::placeMeshes(const std::vector<PlacedNode>& placed) {
         if (number[i] == kUnused) continue;
         number[i] = static_cast<std::uint32_t>(scene_.meshes.size());
         const Json& mesh = document_.item("meshes", i);
-        scene_.meshes.push_back({mesh.value("name", ""), {}});
+        scene_.meshes.push_back({textOr(mesh, "name", ""), {}});
         const Json& primitives = member(mesh, "primitives");
         for (std::size_t p = 0; p < primitives.size(); ++p) {
             const Json& material = member(primitives[p], "material");
@@ -76,7 +76,7 @@ void Importer::placeMeshes(const std::vector<PlacedNode>& placed) {
         const Json& mesh = member(object, "mesh");
         if (mesh.is_null()) continue;
         const std::uint32_t index = number[mesh.get<std::size_t>()];
-        const std::string name = object.value("name", "");
+        const std::string name = textOr(object, "name", "");
         scene_.instances.push_back({name.empty() ? scene_.meshes[index].name : name, index, glm::mat4(node.world)});
     }
 }

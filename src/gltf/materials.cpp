@@ -19,15 +19,10 @@ glm::vec<n, float> vectorOr(const Json& object, std::string_view key, glm::vec<n
     return fallback;
 }
 
-float numberOr(const Json& object, std::string_view key, float fallback) {
-    const Json& value = member(object, key);
-    return value.is_null() ? fallback : value.get<float>();
-}
-
 float unit(float value) { return std::clamp(value, 0.0F, 1.0F); }
 
 Wrap wrapMode(const Document& document, std::size_t sampler, const char* key) {
-    switch (document.item("samplers", sampler).value(key, kRepeat)) {
+    switch (valueOr(document.item("samplers", sampler), key, kRepeat)) {
         case kRepeat:
             return Wrap::Repeat;
         case kClampToEdge:
@@ -44,7 +39,7 @@ Wrap wrapMode(const Document& document, std::size_t sampler, const char* key) {
 void applyTransform(const Json& transform, TextureUse& use) {
     const auto offset = vectorOr(transform, "offset", glm::vec2(0));
     const auto scale = vectorOr(transform, "scale", glm::vec2(1));
-    const float angle = numberOr(transform, "rotation", 0);
+    const float angle = valueOr<float>(transform, "rotation", 0);
     const float c = std::cos(angle), s = std::sin(angle);
     use.rowU = {c * scale.x, s * scale.y, offset.x};
     use.rowV = {-s * scale.x, c * scale.y, offset.y};
@@ -56,7 +51,7 @@ void readSlot(const Document& document, const std::string& place, const Json& ow
     const Json& info = member(owner, slot);
     if (info.is_null()) return;
     const Json& transform = extension(info, "KHR_texture_transform");
-    const std::size_t uvSet = transform.value("texCoord", info.value("texCoord", std::size_t{0}));
+    const std::size_t uvSet = valueOr(transform, "texCoord", valueOr(info, "texCoord", std::size_t{0}));
     if (uvSet >= kUvSets) {
         warnings.push_back(
             fmt::format("{}.{}: left out; TEXCOORD_{} is not supported, only 0 and 1", place, slot, uvSet));
@@ -77,13 +72,13 @@ void readSlot(const Document& document, const std::string& place, const Json& ow
         const auto index = sampler.get<std::size_t>();
         use.wrapS = wrapMode(document, index, "wrapS");
         use.wrapT = wrapMode(document, index, "wrapT");
-        use.nearest = document.item("samplers", index).value("magFilter", std::size_t{0}) == kNearest;
+        use.nearest = valueOr(document.item("samplers", index), "magFilter", std::size_t{0}) == kNearest;
     }
     if (!transform.is_null()) applyTransform(transform, use);
 }
 
 AlphaMode alphaMode(const Document& document, const std::string& place, const Json& object) {
-    const std::string mode = object.value("alphaMode", "OPAQUE");
+    const std::string mode = textOr(object, "alphaMode", "OPAQUE");
     if (mode == "OPAQUE") return AlphaMode::Opaque;
     if (mode == "MASK") return AlphaMode::Mask;
     if (mode == "BLEND") return AlphaMode::Blend;
@@ -102,16 +97,16 @@ Material readMaterial(const Document& document, std::size_t index, std::vector<s
     const Json& pbr = member(object, "pbrMetallicRoughness");
     const std::string place = fmt::format("materials[{}]", index);
     Material material;
-    material.name = object.value("name", "");
+    material.name = textOr(object, "name", "");
     material.baseColor = glm::clamp(vectorOr(pbr, "baseColorFactor", glm::vec4(1)), 0.0F, 1.0F);
-    material.metallic = unit(numberOr(pbr, "metallicFactor", 1));
-    material.roughness = unit(numberOr(pbr, "roughnessFactor", 1));
-    const float strength = numberOr(extension(object, "KHR_materials_emissive_strength"), "emissiveStrength", 1);
+    material.metallic = unit(valueOr<float>(pbr, "metallicFactor", 1));
+    material.roughness = unit(valueOr<float>(pbr, "roughnessFactor", 1));
+    const float strength = valueOr<float>(extension(object, "KHR_materials_emissive_strength"), "emissiveStrength", 1);
     material.emissive = glm::max(vectorOr(object, "emissiveFactor", glm::vec3(0)) * strength, 0.0F);
-    material.normalScale = numberOr(member(object, "normalTexture"), "scale", 1);
+    material.normalScale = valueOr<float>(member(object, "normalTexture"), "scale", 1);
     material.alphaMode = alphaMode(document, place, object);
-    material.alphaCutoff = std::max(numberOr(object, "alphaCutoff", 0.5F), 0.0F);
-    material.doubleSided = object.value("doubleSided", false);
+    material.alphaCutoff = std::max(valueOr<float>(object, "alphaCutoff", 0.5F), 0.0F);
+    material.doubleSided = valueOr(object, "doubleSided", false);
     material.unlit = !extension(object, "KHR_materials_unlit").is_null();
 
     const std::string pbrPlace = place + ".pbrMetallicRoughness";

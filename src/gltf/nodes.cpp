@@ -62,7 +62,7 @@ std::vector<std::size_t> rootsOf(const Document& document, int scene, std::vecto
         return nodesWithoutParent(document);
     }
     const std::size_t chosen =
-        scene >= 0 ? static_cast<std::size_t>(scene) : document.root().value("scene", std::size_t{0});
+        scene >= 0 ? static_cast<std::size_t>(scene) : valueOr(document.root(), "scene", std::size_t{0});
     std::vector<std::size_t> roots;
     for (const Json& node : member(document.item("scenes", chosen), "nodes")) roots.push_back(node.get<std::size_t>());
     return roots;
