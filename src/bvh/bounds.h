@@ -37,7 +37,8 @@ struct Bounds {
 }
 
 /// What the builder sorts: the box of a triangle or an instance, and its index. 32 bytes, uninitialised by default.
-/// The index lives in the fourth lane of `lo`, as the bits of a normal float, so that arithmetic on it is fast.
+/// The index lives in the fourth lane of `lo`, as the bits of a float of 1 or more: differences of
+/// such are never denormal, which would slow the arithmetic on all lanes.
 struct ItemRef {
     Float4 lo, hi;
 
@@ -53,7 +54,7 @@ struct ItemRef {
     [[nodiscard]] Float4 centroid() const { return lo + hi; }
 
 private:
-    static constexpr std::uint32_t kIndexBias = 0x00800000;  ///< bits of the smallest normal float
+    static constexpr std::uint32_t kIndexBias = 0x3f800000;  ///< bits of 1.0F; indices stay below 2^30
 };
 
 }  // namespace vkpt
