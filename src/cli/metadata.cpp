@@ -1,0 +1,106 @@
+#include "cli/metadata.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+
+#include "base/hash.h"
+#include "base/version.h"
+#include "gltf/document.h"
+
+namespace vkpt {
+namespace {
+
+/// Shortest text that reads back as the same floats.
+std::string text(const glm::vec3& v) { return fmt::format("{},{},{}", v.x, v.y, v.z); }
+
+std::string_view samplerName(SamplerId id) {
+    for (const SamplerInfo& sampler : kSamplers)
+        if (sampler.id == id) return sampler.name;
+    return "unknown";
+}
+
+std::string backgroundText(const RenderParams& params) {
+    switch (params.backgroundMode) {
+        case kBackgroundTransparent:
+            return "transparent";
+        case kBackgroundColor:
+            return text(params.background);
+        default:
+            return "env";
+    }
+}
+
+std::string rouletteText(const RenderParams& params) {
+    switch (params.rrMode) {
+        case kRouletteOff:
+            return "off";
+        case kRouletteFixed:
+            return fmt::format("fixed:{}", params.rrFixed);
+        default:
+            return "throughput";
+    }
+}
+
+/// Files that a .gltf names; a .glb is taken whole, data URIs are part of the file.
+void addReferencedFiles(ContentHash& hash, const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    const gltf::Json root = gltf::Json::parse(stream, nullptr, false);
+    if (!root.is_object()) return;
+    for (const char* section : {"buffers", "images"}) {
+        for (const gltf::Json& item : gltf::member(root, section)) {
+            const gltf::Json& uri = gltf::member(item, "uri");
+            if (!uri.is_string() || uri.get_ref<const std::string&>().starts_with("data:")) continue;
+            hash.addFile(
+                gltf::resolveUri(uri.get_ref<const std::string&>(), file.parent_path(), file.string(), section));
+        }
+    }
+}
+
+}  // namespace
+
+Json renderSettings(const PreparedScene& prepared) {
+    const RenderParams& p = prepared.options.params;
+    return {{"sceneIndex", prepared.sceneIndex},
+            {"size", fmt::format("{}x{}", p.width, p.height)},
+            {"spp", p.spp},
+            {"seed", p.seed},
+            {"sampler", samplerName(prepared.options.sampler)},
+            {"projection", p.projection == kProjectionOrthographic ? "orthographic" : "perspective"},
+            {"eye", text(p.eye)},
+            {"forward", text(p.forward)},
+            {"right", text(p.right)},
+            {"up", text(p.up)},
+            {"env", prepared.environment},
+            {"envRotation", fmt::format("{}", prepared.envRotation)},
+            {"envStrength", fmt::format("{}", prepared.envStrength)},
+            {"background", backgroundText(p)},
+            {"maxDepth", p.maxDepth},
+            {"rr", rouletteText(p)},
+            {"rrDepth", p.rrDepth}};
+}
+
+std::string settingsHash(const PreparedScene& prepared) {
+    ContentHash hash;
+    hash.addFile(prepared.file);
+    if (prepared.file.extension() == ".gltf") addReferencedFiles(hash, prepared.file);
+    if (!prepared.envFile.empty()) hash.addFile(prepared.envFile);
+    return hash.add(renderSettings(prepared).dump()).hex();
+}
+
+ImageMetadata imageMetadata(const PreparedScene& prepared, const RenderReport& report, const Film& film) {
+    const RenderParams& params = prepared.options.params;
+    return {{"software", std::string(kSoftware)},
+            {"vkpt:version", std::string(kVersion)},
+            {"vkpt:scene", prepared.file.filename().string()},
+            {"vkpt:settings", renderSettings(prepared).dump()},
+            {"vkpt:settingsHash", settingsHash(prepared)},
+            {"vkpt:spp", std::to_string(film.samples())},
+            {"vkpt:samples", fmt::format("{}:{}", film.sampleBegin, film.sampleEnd)},
+            {"vkpt:seed", std::to_string(params.seed)},
+            {"vkpt:sampler", std::string(samplerName(prepared.options.sampler))},
+            {"vkpt:backend", report.backend},
+            {"vkpt:device", report.device}};
+}
+
+}  // namespace vkpt

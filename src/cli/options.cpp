@@ -1,0 +1,127 @@
+#include "cli/options.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace vkpt {
+namespace {
+
+template <class Id>
+struct Named {
+    Id id;
+    std::string_view name;
+};
+
+constexpr auto kBackends = std::to_array<Named<Backend>>({{Backend::Vulkan, "vulkan"}, {Backend::Cpu, "cpu"}});
+constexpr auto kFetches = std::to_array<Named<WavefrontConfig::Fetch>>({{WavefrontConfig::Fetch::Auto, "auto"},
+                                                                        {WavefrontConfig::Fetch::Texel, "texel"},
+                                                                        {WavefrontConfig::Fetch::Storage, "storage"}});
+
+void addCameraOptions(CLI::App& app, SceneOptions& options) {
+    const char* group = "Camera";
+    auto* camera = app.add_option("--camera", options.camera, "camera of the file, by name or index")
+                       ->type_name("NAME|INDEX")
+                       ->group(group);
+    auto* eye = addParsed(app, "--eye", options.eye, parseVec3, "X,Y,Z", "where the camera stands")->group(group);
+    auto* orbit = addParsed(app, "--orbit", options.orbit, parseOrbit, "THETA,PHI,RADIUS",
+                            "camera on a sphere about the target: degrees around, degrees from +y, metres")
+                      ->group(group);
+    auto* target = addParsed(app, "--target", options.target, parseVec3, "X,Y,Z",
+                             "what it looks at (default: the middle of the scene)")
+                       ->group(group);
+    app.add_option("--fov", options.fov, "vertical field of view in degrees")
+        ->type_name("DEG")
+        ->check(CLI::Range(0.01, 179.0))
+        ->group(group);
+    eye->excludes(camera)->excludes(orbit);
+    orbit->excludes(camera);
+    target->excludes(camera);
+}
+
+void addLightOptions(CLI::App& app, SceneOptions& options) {
+    const char* group = "Environment";
+    addParsed(app, "--env", options.environment, parseEnvironment, "FILE|R,G,B|studio|none",
+              "what surrounds the scene (default: the studio where the scene has no light, else none)")
+        ->group(group);
+    app.add_option("--env-rotation", options.envRotation, "turn it about the vertical axis")
+        ->type_name("DEG")
+        ->group(group);
+    app.add_option("--env-strength", options.envStrength, "multiply its radiance")
+        ->type_name("X")
+        ->check(CLI::NonNegativeNumber)
+        ->group(group);
+    addParsed(app, "--background", options.background, parseBackground, "env|transparent|R,G,B",
+              "what the camera sees where nothing is (default: env)")
+        ->group(group);
+}
+
+}  // namespace
+
+void addSceneFile(CLI::App& app, SceneOptions& options, bool required) {
+    app.add_option("SCENE", options.file, "glTF 2.0 file, .gltf or .glb")->required(required)->type_name("FILE");
+    app.add_option("--scene", options.sceneIndex, "which scene of the file (default: the one it names)")
+        ->type_name("INDEX")
+        ->check(CLI::NonNegativeNumber);
+}
+
+void addSceneOptions(CLI::App& app, SceneOptions& options) {
+    addParsed(app, "--size", options.size, parseSize, "WxH", "size of the picture in pixels (default: 960x540)");
+    addCameraOptions(app, options);
+    addLightOptions(app, options);
+}
+
+void addSamplingOptions(CLI::App& app, SamplingOptions& options) {
+    const char* group = "Sampling";
+    app.add_option("--spp", options.spp, fmt::format("samples a pixel (default: {})", options.spp))
+        ->type_name("N")
+        ->check(CLI::PositiveNumber)
+        ->group(group);
+    addParsed(app, "--samples", options.samples, parseSampleRange, "A:B",
+              "render samples A to B-1 of the --spp ones only")
+        ->group(group);
+    app.add_option("--seed", options.seed, "another seed gives other noise (default: 0)")->type_name("N")->group(group);
+    addParsed(app, "--sampler", options.sampler, nameIn(kSamplers), namesOf(kSamplers),
+              "where random numbers come from (default: sobol)")
+        ->group(group);
+    app.add_option("--max-depth", options.maxDepth, "0: emission, 1: direct light too, 2: one bounce, ... (default: 8)")
+        ->type_name("N")
+        ->group(group);
+    addParsed(app, "--rr", options.roulette, parseRoulette, "off|throughput|fixed:P",
+              "Russian roulette (default: throughput)")
+        ->group(group);
+    app.add_option("--rr-depth", options.rrDepth, "scatterings before it begins (default: 3)")
+        ->type_name("N")
+        ->group(group);
+}
+
+void addBackend(CLI::App& app, BackendOptions& options) {
+    addParsed(app, "--backend", options.backend, nameIn(kBackends), namesOf(kBackends),
+              "Vulkan, or the CPU reference (default: vulkan)")
+        ->group("Device");
+}
+
+void addDeviceOptions(CLI::App& app, BackendOptions& options) {
+    const char* group = "Device";
+    app.add_option("--device", options.device, "Vulkan device, by index or part of its name: see vkpt devices")
+        ->type_name("INDEX|NAME")
+        ->group(group);
+    addParsed(app, "--fetch", options.fetch, nameIn(kFetches), namesOf(kFetches),
+              "how kernels read the scene (default: auto)")
+        ->group(group);
+    app.add_flag("--validate", options.validate, "turn Vulkan's validation layers on")->group(group);
+    app.add_option("--nthreads", options.threads, "threads of the host (default: all)")
+        ->type_name("N")
+        ->check(CLI::PositiveNumber)
+        ->group(group);
+}
+
+void addVerbosity(CLI::App& app, Verbosity& verbosity) {
+    auto* quiet = app.add_flag_callback(
+        "-q,--quiet", [&verbosity] { verbosity = Verbosity::Quiet; }, "warnings and errors only, no progress bar");
+    app.add_flag_callback(
+           "-v,--verbose", [&verbosity] { verbosity = Verbosity::Verbose; }, "say what is done")
+        ->excludes(quiet);
+}
+
+}  // namespace vkpt

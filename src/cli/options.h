@@ -1,0 +1,96 @@
+// The options that several commands share, in groups. Each struct's initial values are the documented defaults.
+#pragma once
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "base/log.h"
+#include "cli/parse.h"
+#include "registry.h"
+#include "wavefront/renderer.h"
+
+namespace vkpt {
+
+/// Which scene, seen how, lit by what.
+struct SceneOptions {
+    std::filesystem::path file;
+    int sceneIndex = -1;  ///< -1: the file's default scene
+    glm::uvec2 size{960, 540};
+    std::string camera;  ///< name or index; empty: the file's first, else framed
+    std::optional<glm::vec3> eye, target, orbit;
+    std::optional<float> fov;  ///< degrees, vertical
+    EnvironmentChoice environment;
+    float envRotation = 0;  ///< degrees about +y
+    float envStrength = 1;
+    Background background;
+};
+
+/// How it is sampled.
+struct SamplingOptions {
+    std::uint32_t spp = 64, seed = 0;
+    std::optional<SampleRange> samples;
+    SamplerId sampler = SamplerId::Sobol;
+    std::uint32_t maxDepth = 8;
+    Roulette roulette;
+    std::uint32_t rrDepth = 3;
+};
+
+enum class Backend { Vulkan, Cpu };
+
+/// What computes it.
+struct BackendOptions {
+    Backend backend = Backend::Vulkan;
+    std::string device;
+    WavefrontConfig::Fetch fetch = WavefrontConfig::Fetch::Auto;
+    bool validate = false;
+    unsigned threads = 0;  ///< of the host; 0: all
+};
+
+/// `file` becomes the positional SCENE, required or not.
+void addSceneFile(CLI::App& app, SceneOptions& options, bool required);
+void addSceneOptions(CLI::App& app, SceneOptions& options);
+void addSamplingOptions(CLI::App& app, SamplingOptions& options);
+void addBackend(CLI::App& app, BackendOptions& options);
+void addDeviceOptions(CLI::App& app, BackendOptions& options);
+void addVerbosity(CLI::App& app, Verbosity& verbosity);
+
+/// Adds an option whose text `parse` turns into a value. A text it refuses is a usage error: "--size: 'big' is not
+/// WIDTHxHEIGHT".
+template <class T, class Parse>
+CLI::Option* addParsed(CLI::App& app, const std::string& name, T& target, Parse parse, const std::string& form,
+                       const std::string& help) {
+    return app
+        .add_option_function<std::string>(
+            name,
+            [&target, parse, name, form](const std::string& text) {
+                const auto value = parse(text);
+                if (!value) throw CLI::ValidationError(name, fmt::format("'{}' is not {}", text, form));
+                target = *value;
+            },
+            help)
+        ->type_name(form);
+}
+
+/// A parser for addParsed that finds a name in a registry-like table (fields `name` and `id`).
+template <class Table>
+auto nameIn(const Table& table) {
+    return [&table](std::string_view text) {
+        std::optional<decltype(table[0].id)> found;
+        for (const auto& entry : table)
+            if (entry.name == text) found = entry.id;
+        return found;
+    };
+}
+
+/// "random|sobol"
+template <class Table>
+std::string namesOf(const Table& table) {
+    std::string names;
+    for (const auto& entry : table) names += fmt::format("{}{}", names.empty() ? "" : "|", entry.name);
+    return names;
+}
+
+}  // namespace vkpt

@@ -1,0 +1,53 @@
+// Texts of the command line to values. Every function is empty-handed on a malformed text.
+#pragma once
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string_view>
+
+#include "constants.h"
+
+namespace vkpt {
+
+/// "960x540": both 1 to 65535, as a sample id packs a pixel's coordinates into 16 bits each.
+[[nodiscard]] std::optional<glm::uvec2> parseSize(std::string_view text);
+
+/// "64:128": begin < end.
+struct SampleRange {
+    std::uint32_t begin = 0, end = 0;
+};
+[[nodiscard]] std::optional<SampleRange> parseSampleRange(std::string_view text);
+
+/// "X,Y,Z": finite numbers.
+[[nodiscard]] std::optional<glm::vec3> parseVec3(std::string_view text);
+
+/// "R,G,B": finite and not negative.
+[[nodiscard]] std::optional<glm::vec3> parseColor(std::string_view text);
+
+/// "THETA,PHI,RADIUS": degrees about and from the vertical axis, metres above 0.
+[[nodiscard]] std::optional<glm::vec3> parseOrbit(std::string_view text);
+
+/// "off", "throughput" or "fixed:P" with 0 < P <= 1.
+struct Roulette {
+    std::uint32_t mode = kRouletteThroughput;
+    float survival = 1;  ///< P of fixed:P
+};
+[[nodiscard]] std::optional<Roulette> parseRoulette(std::string_view text);
+
+/// "env", "transparent" or "R,G,B".
+struct Background {
+    std::uint32_t mode = kBackgroundEnvironment;
+    glm::vec3 color{0};
+};
+[[nodiscard]] std::optional<Background> parseBackground(std::string_view text);
+
+/// What lights the scene from afar. Automatic: the studio where the scene has no light of its own, else none.
+struct EnvironmentChoice {
+    enum class Kind { Automatic, None, Studio, Color, File } kind = Kind::Automatic;
+    glm::vec3 color{0};
+    std::filesystem::path file;
+};
+/// "studio", "none", "R,G,B", else a file.
+[[nodiscard]] std::optional<EnvironmentChoice> parseEnvironment(std::string_view text);
+
+}  // namespace vkpt

@@ -1,0 +1,172 @@
+#include "cli/scene_setup.h"
+
+#include <fmt/format.h>
+#include <oneapi/tbb/global_control.h>
+#include <spdlog/spdlog.h>
+
+#include <future>
+#include <memory>
+
+#include "cli/clock.h"
+#include "cli/command.h"
+#include "gltf/import.h"
+#include "scene/camera.h"
+#include "scene/default_light.h"
+#include "scene/environment.h"
+#include "scene/flatten.h"
+
+namespace vkpt {
+namespace {
+
+using EnvironmentKind = EnvironmentChoice::Kind;
+
+/// Notes how long each step took.
+class StepClock {
+public:
+    explicit StepClock(Json& seconds) : seconds_(seconds) {}
+    void done(const char* step) {
+        const double now = secondsSinceStart();
+        seconds_[step] = now - last_;
+        seconds_["total"] = now;
+        spdlog::debug("{} took {:.3f} s", step, now - last_);
+        last_ = now;
+    }
+
+private:
+    Json& seconds_;
+    double last_ = secondsSinceStart();
+};
+
+void setSampling(RenderOptions& options, const SamplingOptions& sampling) {
+    options.sampler = sampling.sampler;
+    const SampleRange range = sampling.samples.value_or(SampleRange{0, sampling.spp});
+    if (range.end > sampling.spp)
+        throw usageError("--samples", fmt::format("{}:{} reaches beyond the {} samples of --spp", range.begin,
+                                                  range.end, sampling.spp));
+    options.sampleBegin = range.begin;
+    options.sampleEnd = range.end;
+    RenderParams& params = options.params;
+    params.spp = sampling.spp;
+    params.seed = sampling.seed;
+    params.maxDepth = sampling.maxDepth;
+    params.rrMode = sampling.roulette.mode;
+    params.rrFixed = sampling.roulette.survival;
+    params.rrDepth = sampling.rrDepth;
+}
+
+void useFileCamera(RenderParams& params, const Scene& scene, Camera camera, std::optional<float> fov) {
+    if (fov) {
+        if (camera.orthographic) throw usageError("--fov", "the camera is orthographic");
+        camera.yfov = glm::radians(*fov);
+    }
+    fromCamera(params, scene, camera);
+}
+
+/// The camera asked for, else the file's first, else one that sees everything. Sets the frame's size first.
+void setCamera(RenderParams& params, const Scene& scene, const SceneArrays& arrays, const SceneOptions& options) {
+    params.width = options.size.x;
+    params.height = options.size.y;
+    const glm::vec3 target = options.target.value_or((arrays.boundsMin + arrays.boundsMax) / 2.0F);
+    const float fov = options.fov.value_or(kDefaultFov);
+    if (options.eye)
+        lookAt(params, *options.eye, target, fov);
+    else if (options.orbit)
+        orbit(params, options.orbit->x, options.orbit->y, options.orbit->z, target, fov);
+    else if (options.target)
+        throw usageError("--target", "needs --eye or --orbit");
+    else if (!options.camera.empty())
+        useFileCamera(params, scene, findCamera(scene, options.camera), options.fov);
+    else if (!scene.cameras.empty())
+        useFileCamera(params, scene, scene.cameras.front(), options.fov);
+    else
+        frameScene(params, arrays, fov);
+}
+
+EnvironmentMap makeEnvironment(const EnvironmentChoice& choice) {
+    switch (choice.kind) {
+        case EnvironmentKind::File:
+            return readEnvironment(choice.file);
+        case EnvironmentKind::Color:
+            return constantEnvironment(choice.color);
+        case EnvironmentKind::Studio:
+            return studioEnvironment();
+        default:
+            return {};
+    }
+}
+
+std::string environmentName(const EnvironmentChoice& choice) {
+    switch (choice.kind) {
+        case EnvironmentKind::File:
+            return choice.file.filename().string();
+        case EnvironmentKind::Color:
+            return fmt::format("{},{},{}", choice.color.x, choice.color.y, choice.color.z);
+        case EnvironmentKind::Studio:
+            return "studio";
+        default:
+            return "none";
+    }
+}
+
+/// Resolves Automatic, now that the scene is known, and says what came of it.
+EnvironmentKind resolveKind(EnvironmentKind kind, const SceneArrays& arrays) {
+    if (kind == EnvironmentKind::None && arrays.lights.empty())
+        spdlog::warn("nothing lights this scene: the picture will be black");
+    if (kind != EnvironmentKind::Automatic) return kind;
+    if (hasOwnLight(arrays)) return EnvironmentKind::None;
+    spdlog::info("the scene has no light of its own: the built-in studio lights it (see --env)");
+    return EnvironmentKind::Studio;
+}
+
+void setEnvironment(PreparedScene& prepared, EnvironmentChoice choice, std::future<EnvironmentMap> file) {
+    choice.kind = resolveKind(choice.kind, prepared.arrays);
+    prepared.environment = environmentName(choice);
+    if (choice.kind == EnvironmentKind::File) prepared.envFile = choice.file;
+    if (choice.kind == EnvironmentKind::None) return;
+    const EnvironmentMap map = file.valid() ? file.get() : makeEnvironment(choice);
+    addEnvironment(prepared.arrays, map, prepared.envStrength, prepared.envRotation);
+}
+
+}  // namespace
+
+PreparedScene prepareScene(const SceneOptions& scene, const SamplingOptions& sampling) {
+    PreparedScene prepared;
+    prepared.file = scene.file;
+    prepared.sceneIndex = scene.sceneIndex;
+    prepared.envRotation = scene.envRotation;
+    prepared.envStrength = scene.envStrength;
+    setSampling(prepared.options, sampling);
+
+    StepClock clock(prepared.seconds);
+    std::future<EnvironmentMap> environment;  // a large file is read while the scene is
+    if (scene.environment.kind == EnvironmentKind::File)
+        environment = std::async(std::launch::async, readEnvironment, scene.environment.file);
+    const Scene imported = importGltf(scene.file, ImportOptions{scene.sceneIndex});
+    for (const std::string& warning : imported.warnings) spdlog::warn("{}", warning);
+    clock.done("import");
+    prepared.arrays = flatten(imported);
+    clock.done("flatten");
+    setEnvironment(prepared, scene.environment, std::move(environment));
+    clock.done("environment");
+    RenderParams& params = prepared.options.params;
+    setCamera(params, imported, prepared.arrays, scene);
+    params.backgroundMode = scene.background.mode;
+    params.background = scene.background.color;
+    clock.done("camera");
+    buildBvh(prepared.arrays, {}, &prepared.bvh);
+    clock.done("bvh");
+    return prepared;
+}
+
+struct ThreadLimit::Impl {
+    tbb::global_control control;
+};
+
+ThreadLimit::ThreadLimit(unsigned threads) {
+    if (threads > 0)
+        impl_ = std::make_unique<Impl>(tbb::global_control(tbb::global_control::max_allowed_parallelism, threads));
+}
+
+ThreadLimit::~ThreadLimit() = default;
+
+}  // namespace vkpt

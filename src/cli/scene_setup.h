@@ -1,0 +1,45 @@
+// From the command line's options to what a renderer takes.
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "base/json.h"
+#include "bvh/build.h"
+#include "cli/options.h"
+#include "scene/render_options.h"
+#include "scene/scene.h"
+#include "scene/scene_arrays.h"
+
+namespace vkpt {
+
+/// Everything one render needs, and what it came from.
+struct PreparedScene {
+    std::filesystem::path file;
+    int sceneIndex = -1;
+    SceneArrays arrays;  ///< environment and BVH included
+    RenderOptions options;
+    BvhStats bvh;
+    std::string environment;        ///< "none", "studio", "R,G,B" or the name of a file
+    std::filesystem::path envFile;  ///< empty unless it is a file
+    float envRotation = 0, envStrength = 1;
+    Json seconds;  ///< of each step
+};
+
+/// Imports, flattens, lights, frames and builds. Warnings go to the log. Throws FileError for a faulty file and
+/// Error(Usage), naming the option, for a choice the scene does not offer.
+[[nodiscard]] PreparedScene prepareScene(const SceneOptions& scene, const SamplingOptions& sampling);
+
+/// Uses at most `threads` threads of the host while alive; 0: all.
+class ThreadLimit {
+public:
+    explicit ThreadLimit(unsigned threads);
+    ~ThreadLimit();
+    ThreadLimit(const ThreadLimit&) = delete;
+    ThreadLimit& operator=(const ThreadLimit&) = delete;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace vkpt
