@@ -1,0 +1,14 @@
+#version 460
+// In: a point of the unit square. Out: its images on the disk and the triangle; on the hemisphere.
+#extension GL_GOOGLE_include_directive : require
+const uint kInputWords = 1u, kOutputWords = 2u;
+#include "probes/probe.glsl"
+#include "math/trigonometry.glsl"
+#include "math/warp.glsl"
+
+void main() {
+    if (isIdle()) return;
+    vec2 u = inputFloat(0u).xy;
+    putFloat(0u, vec4(squareToDisk(u), squareToTriangle(u)));
+    putFloat(1u, vec4(squareToCosineHemisphere(u), 0.0));
+}

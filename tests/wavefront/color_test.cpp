@@ -1,0 +1,59 @@
+#include "reference/real.h"
+#include "reference/texture.h"
+#include "wavefront/probe_scene.h"
+#include "wavefront/random_inputs.h"
+
+namespace vkpt {
+namespace {
+
+using ColorProbe = GpuTest;
+
+struct In {
+    glm::vec4 color{0};
+    glm::vec2 pdfs{1, 1}, unused{0};
+};
+struct Out {
+    glm::vec3 linear;
+    float luminance, largest, weight;
+    glm::vec2 unused;
+};
+
+// Vulkan's pow inherits exp2(y log2(x)): 2^-21 absolute in the logarithm near 1, 3 + 2|x| ulps in the power.
+TEST_F(ColorProbe, SrgbCurveIsWithin3e6OfEveryByte) {
+    std::vector<In> inputs;
+    for (std::uint32_t i = 0; i < 256; ++i)
+        inputs.push_back({.color = {static_cast<float>(i) / 255, static_cast<float>(255 - i) / 255, 0.04045F, 0}});
+    const auto out = evaluate<Out>("color", inputs);
+    for (std::uint32_t i = 0; i < 256; ++i) {
+        ASSERT_TRUE(isNear(out[i].linear.r, reference::decodeSrgb(i), 0, 3e-6)) << i;
+        ASSERT_TRUE(isNear(out[i].linear.g, reference::decodeSrgb(255 - i), 0, 3e-6)) << i;
+        ASSERT_TRUE(isNear(out[i].linear.b, 0.04045 / 12.92, 0, 3e-6)) << "at the joint of the curve";
+    }
+}
+
+TEST_F(ColorProbe, LuminanceAndLargestComponent) {
+    std::vector<In> inputs;
+    RandomInputs random(5);
+    for (int i = 0; i < 1000; ++i) inputs.push_back({.color = glm::vec4(random.inBox({0, 0, 0}, {10, 1, 100}), 0)});
+    const auto out = evaluate<Out>("color", inputs);
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        const glm::vec3 c(inputs[i].color);
+        ASSERT_TRUE(isNear(out[i].luminance, reference::luminance<double>(glm::dvec3(c)), 0, 1e-6));
+        ASSERT_EQ(out[i].largest, std::max({c.r, c.g, c.b}));
+    }
+}
+
+TEST_F(ColorProbe, PowerHeuristicNeitherOverflowsNorUnderflows) {
+    std::vector<In> inputs;
+    for (const float pdf : {1e-30F, 1e-3F, 0.3F, 1.0F, 7.0F, 1e4F, 1e30F})
+        for (const float other : {0.0F, 1e-30F, 1e-3F, 0.3F, 1.0F, 7.0F, 1e4F, 1e30F})
+            inputs.push_back({.pdfs = {pdf, other}});
+    const auto out = evaluate<Out>("color", inputs);
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        const glm::dvec2 p(inputs[i].pdfs);
+        ASSERT_TRUE(isNear(out[i].weight, p.x * p.x / (p.x * p.x + p.y * p.y), 1e-30, 1e-6)) << p.x << ", " << p.y;
+    }
+}
+
+}  // namespace
+}  // namespace vkpt

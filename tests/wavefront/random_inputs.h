@@ -1,0 +1,53 @@
+// Reproducible inputs for probes, and how far a result may be from its truth.
+#pragma once
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/glm.hpp>
+#include <random>
+
+namespace vkpt {
+
+/// A seeded stream of floats and vectors.
+class RandomInputs {
+public:
+    explicit RandomInputs(std::uint32_t seed) : engine_(seed) {}
+
+    /// A multiple of 2^-24 in [0,1), as samplers make them.
+    [[nodiscard]] float unit() { return static_cast<float>(engine_() >> 8U) * 0x1p-24F; }
+    [[nodiscard]] float between(float low, float high) { return low + (high - low) * unit(); }
+    [[nodiscard]] std::uint32_t bits() { return static_cast<std::uint32_t>(engine_()); }
+    [[nodiscard]] std::uint32_t below(std::uint32_t end) { return bits() % end; }
+    [[nodiscard]] glm::vec2 square() { return {unit(), unit()}; }
+    [[nodiscard]] glm::vec3 inBox(const glm::vec3& low, const glm::vec3& high) {
+        return {between(low.x, high.x), between(low.y, high.y), between(low.z, high.z)};
+    }
+    /// Uniform on the sphere; a unit vector up to rounding.
+    [[nodiscard]] glm::vec3 direction() {
+        const float z = between(-1, 1), phi = between(0, 6.2831853F), r = std::sqrt(std::max(0.0F, 1 - z * z));
+        return glm::normalize(glm::vec3(r * std::cos(phi), r * std::sin(phi), z));
+    }
+
+private:
+    std::mt19937 engine_;
+};
+
+/// |actual - expected| <= absolute + relative |expected| in every component; false for NaN.
+template <int N, class A, class B>
+[[nodiscard]] testing::AssertionResult isNear(const glm::vec<N, A>& actual, const glm::vec<N, B>& expected,
+                                              double absolute, double relative = 0) {
+    for (int i = 0; i < N; ++i) {
+        const double error = std::abs(double(actual[i]) - double(expected[i]));
+        if (!(error <= absolute + relative * std::abs(double(expected[i]))))
+            return testing::AssertionFailure()
+                   << "component " << i << " is " << actual[i] << ", not " << expected[i] << ": off by " << error;
+    }
+    return testing::AssertionSuccess();
+}
+
+[[nodiscard]] inline testing::AssertionResult isNear(double actual, double expected, double absolute,
+                                                     double relative = 0) {
+    return isNear(glm::dvec1(actual), glm::dvec1(expected), absolute, relative);
+}
+
+}  // namespace vkpt
