@@ -19,8 +19,7 @@ struct TreeCheck {
     std::vector<Box> itemBoxes;        ///< the leaf box around each
 };
 
-/// Checks encoding, contiguity and that no box of a child sticks out of its slot's box by more than its own grid cell
-/// (a child's grid may be finer or, rounded outwards, a cell wider than what its parent says).
+/// Checks the meta bytes, that children and items are contiguous in slot order, and empty slots; collects the items.
 inline void checkNode(const SceneArrays& arrays, std::uint32_t index, std::uint32_t level, TreeCheck& check) {
     ASSERT_LT(index, arrays.nodes.size());
     ASSERT_LE(level, kMaxBvhDepth);

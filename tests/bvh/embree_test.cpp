@@ -1,9 +1,10 @@
-// The same hits as Embree, an independent builder and traversal.
-#include <embree3/rtcore.h>
+// The same hits as Embree, on generated meshes and on scene files.
+#include "embree_scene.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <memory>
+#include <filesystem>
 
 #include "bvh/build.h"
 #include "gltf/import.h"
@@ -14,58 +15,6 @@
 
 namespace vkpt {
 namespace {
-
-struct EmbreeRelease {
-    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
-    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
-};
-
-/// Embree over world-space triangles.
-class EmbreeScene {
-public:
-    explicit EmbreeScene(const Triangles& triangles)
-        : device_(rtcNewDevice("threads=2")), scene_(rtcNewScene(device_.get())) {
-        rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
-        const RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
-        const std::size_t n = triangles.size();
-        auto* corners = static_cast<float*>(
-            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), 3 * n));
-        auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
-            geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), n));
-        for (std::size_t i = 0; i < n; ++i) {
-            for (const vec3& v : {triangles[i].v0, triangles[i].v1, triangles[i].v2}) {
-                for (int axis = 0; axis < 3; ++axis) *corners++ = v[axis];
-            }
-        }
-        for (std::size_t i = 0; i < 3 * n; ++i) indices[i] = static_cast<std::uint32_t>(i);
-        rtcCommitGeometry(geometry);
-        rtcAttachGeometry(scene_.get(), geometry);
-        rtcReleaseGeometry(geometry);
-        rtcCommitScene(scene_.get());
-    }
-
-    /// Distance of the closest hit in units of the direction, infinite where there is none.
-    [[nodiscard]] float closest(const Ray& ray) const {
-        RTCRayHit query{};
-        query.ray.org_x = static_cast<float>(ray.origin.x);
-        query.ray.org_y = static_cast<float>(ray.origin.y);
-        query.ray.org_z = static_cast<float>(ray.origin.z);
-        query.ray.dir_x = static_cast<float>(ray.direction.x);
-        query.ray.dir_y = static_cast<float>(ray.direction.y);
-        query.ray.dir_z = static_cast<float>(ray.direction.z);
-        query.ray.tfar = INFINITY;
-        query.ray.mask = ~0U;
-        query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        rtcIntersect1(scene_.get(), &context, &query);
-        return query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? INFINITY : query.ray.tfar;
-    }
-
-private:
-    std::unique_ptr<std::remove_pointer_t<RTCDevice>, EmbreeRelease> device_;
-    std::unique_ptr<std::remove_pointer_t<RTCScene>, EmbreeRelease> scene_;
-};
 
 /// World-space triangles of a scene with or without instances.
 Triangles bakedTriangles(const SceneArrays& arrays) {
@@ -116,6 +65,41 @@ TEST(BvhAgainstEmbree, SameHitsOnGeneratedMeshes) {
         buildBvh(arrays);
         // Half of a sliver's width is near what rounding a ray to float costs.
         expectAgreement(arrays, 20000, name == "slivers" ? 0.1 : 0.001);
+    }
+}
+
+void buildAndCompare(SceneArrays arrays, std::size_t rays) {
+    BvhStats stats;
+    buildBvh(arrays, {}, &stats);
+    EXPECT_LE(stats.depth, kMaxBvhDepth);
+    expectAgreement(arrays, rays, 0.003);
+}
+
+/// Checks one file with all meshes that are placed several times shared, and if there are any, also baked.
+void expectAgreementOnFile(const std::filesystem::path& file, std::size_t rays) {
+    SCOPED_TRACE(file.string());
+    const Scene scene = importGltf(file);
+    SceneArrays shared = flatten(scene, {.instancing = true, .instancingThreshold = 1});
+    if (!shared.instances.empty()) buildAndCompare(flatten(scene, {.instancing = false}), rays);
+    buildAndCompare(std::move(shared), rays);
+}
+
+TEST(BvhAgainstEmbree, SameHitsOnBundledScenes) {
+    std::size_t files = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(VKPT_SCENES)) {
+        const auto file = entry.path() / "scene.gltf";
+        if (!std::filesystem::exists(file)) continue;
+        expectAgreementOnFile(file, 3000);
+        ++files;
+    }
+    EXPECT_GT(files, 5U);
+}
+
+TEST(BvhAgainstEmbree, SameHitsOnHelmetAndTruck) {
+    const std::filesystem::path models = std::filesystem::path(VKPT_ASSETS) / "models";
+    for (const char* name : {"DamagedHelmet.glb", "CesiumMilkTruck.glb"}) {
+        if (!std::filesystem::exists(models / name)) GTEST_SKIP() << (models / name) << " is absent";
+        expectAgreementOnFile(models / name, 10000);
     }
 }
 

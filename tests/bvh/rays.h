@@ -34,7 +34,10 @@ inline std::vector<Ray> raysAt(const Triangles& triangles, std::size_t n, Aim ai
             const glm::dvec3 target = (1 - u - v) * glm::dvec3(t.v0) + u * glm::dvec3(t.v1) + v * glm::dvec3(t.v2);
             ray.direction = target - ray.origin;
             if (i % 5 == 4) {  // along an axis, through the target
-                const auto axis = static_cast<int>(i / 5 % 3);
+                const vec3 normal = glm::abs(glm::cross(t.v1 - t.v0, t.v2 - t.v0));
+                int axis = static_cast<int>(i / 5 % 3);
+                // A ray within the plane of its target has no answer that rounding would leave alone.
+                if (!border) axis = normal.x > normal.y ? (normal.x > normal.z ? 0 : 2) : (normal.y > normal.z ? 1 : 2);
                 const double side = i / 15 % 2 == 0 ? 1 : -1;
                 ray.direction = glm::dvec3(0);
                 ray.direction[axis] = -side;
