@@ -2,7 +2,7 @@
 
 // value x 2^48, rounded, as three little-endian words. Requires 0 <= value < 2^40.
 uvec3 toFixedPoint(float value) {
-    uint bits = floatBitsToUint(value), exponent = bits >> 23u;
+    uint bits = floatBitsToUint(value), exponent = (bits >> 23u) & 0xffu;
     uint mantissa = exponent == 0u ? 0u : (bits & 0x7fffffu) | 0x800000u;   // subnormals are far below 2^-49
     int shift = int(exponent) - 150 + int(kFilmFractionBits);
     if (shift < 0) {
@@ -22,9 +22,10 @@ uvec3 addFixed(uvec3 a, uvec3 b) {
     return uvec3(x, y, a.z + b.z + carry1 + carry2);
 }
 
-// NaN, Inf, negative (-0 included) and 2^40 or more, by exponent bits: comparisons with NaN may be optimised away.
+// NaN, Inf, below 0 (-0 is 0) and 2^40 or more, by exponent bits: comparisons with NaN may be optimised away.
 bool isRefused(vec3 c) {
-    return any(greaterThanEqual(floatBitsToUint(c), uvec3((127u + 40u) << 23u)));
+    uvec3 bits = mix(floatBitsToUint(c), uvec3(0u), equal(floatBitsToUint(c), uvec3(0x80000000u)));
+    return any(greaterThanEqual(bits, uvec3((127u + 40u) << 23u)));
 }
 
 // `alpha`: the path met something at its first segment.

@@ -4,6 +4,7 @@ int wrapCoordinate(int i, int size, uint mode) {
     if (mode == kWrapClamp) return clamp(i, 0, size - 1);
     int period = mode == kWrapMirror ? 2 * size : size;
     int r = i - period * int(floor(float(i) / float(period)));
+    r -= period * int(floor(float(r) / float(period)));        // far out the quotient is off by more than one
     r = r < 0 ? r + period : (r >= period ? r - period : r);   // the quotient was rounded
     return r < size ? r : 2 * size - 1 - r;
 }
