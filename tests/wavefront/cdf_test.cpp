@@ -1,0 +1,77 @@
+#include "reference/lights/environment.h"
+#include "scene/sampling_table.h"
+#include "wavefront/probe_scene.h"
+#include "wavefront/random_inputs.h"
+
+namespace vkpt {
+namespace {
+
+using CdfProbe = GpuTest;
+
+struct In {
+    std::uint32_t base, count;
+    float u;
+    std::uint32_t unused = 0;
+};
+struct Out {
+    std::uint32_t index;
+    float before, at;
+    std::uint32_t unused;
+};
+
+struct Table {
+    std::vector<float> cdf;
+    std::uint32_t word;
+};
+
+/// Tables of 1 to 1,000 entries, with zero weights at the ends and in runs. All lie in the light table's section, each
+/// from a word of its own, followed by garbage where its last word is not full.
+std::vector<Table> makeTables(SceneArrays& arrays) {
+    std::vector<Table> tables;
+    RandomInputs random(20);
+    for (const std::size_t count : {1, 2, 3, 4, 5, 7, 8, 9, 16, 17, 31, 64, 65, 255, 1000})
+        for (const bool gaps : {false, true}) {
+            std::vector<double> weights(count);
+            for (double& w : weights) w = gaps && random.unit() < 0.6F ? 0.0 : double{random.unit()};
+            Table table{inclusiveCdf(weights), static_cast<std::uint32_t>(arrays.lightCdf.size() / 4)};
+            arrays.lightCdf.insert(arrays.lightCdf.end(), table.cdf.begin(), table.cdf.end());
+            while (arrays.lightCdf.size() % 4 != 0) arrays.lightCdf.push_back(random.between(-2, 2));
+            tables.push_back(table);
+        }
+    return tables;
+}
+
+// Integers and comparisons only: equality. u takes every entry of the table, its neighbours and the ends.
+TEST_F(CdfProbe, FindsTheFirstEntryAbove) {
+    SceneArrays arrays;
+    const std::vector<Table> tables = makeTables(arrays);
+    const ProbeScene scene(arrays);
+    std::vector<In> inputs;
+    std::vector<const Table*> tableOf;
+    RandomInputs random(21);
+    const auto add = [&](const Table& table, float u) {
+        if (!(u >= 0 && u < 1)) return;
+        inputs.push_back({scene.header().lightCdf + table.word, static_cast<std::uint32_t>(table.cdf.size()), u});
+        tableOf.push_back(&table);
+    };
+    for (const Table& table : tables) {
+        add(table, 0);
+        add(table, 0x1.fffffep-1F);
+        for (const float c : table.cdf)
+            for (const float step : {-0x1p-24F, 0.0F, 0x1p-24F}) add(table, c + step);
+        for (int i = 0; i < 20; ++i) add(table, random.unit());
+    }
+    const auto out = scene.evaluate<Out>("cdf", inputs);
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        const std::vector<float>& cdf = tableOf[i]->cdf;
+        const std::uint32_t expected = reference::sampleTable(cdf, inputs[i].u).index;
+        ASSERT_EQ(out[i].index, expected) << "u " << inputs[i].u << " of " << cdf.size();
+        ASSERT_EQ(out[i].at, cdf[expected]);
+        ASSERT_EQ(out[i].before, expected == 0 ? 0 : cdf[expected - 1]);
+        ASSERT_LT(inputs[i].u, out[i].at);
+        ASSERT_GE(inputs[i].u, out[i].before);
+    }
+}
+
+}  // namespace
+}  // namespace vkpt
