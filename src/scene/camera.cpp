@@ -142,7 +142,7 @@ void fromCamera(RenderParams& params, const Scene& scene, const Camera& camera) 
 
 const Camera& findCamera(const Scene& scene, std::string_view nameOrIndex) {
     for (const Camera& camera : scene.cameras) {
-        if (camera.name == nameOrIndex) return camera;
+        if (!nameOrIndex.empty() && camera.name == nameOrIndex) return camera;
     }
     std::size_t index = 0;
     const char* end = nameOrIndex.data() + nameOrIndex.size();

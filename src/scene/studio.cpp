@@ -22,15 +22,16 @@ struct Softbox {
     float hotspot;                // how much darker the rim is than the centre
 };
 
+// Seen by a camera at the front (+z) or front right (the default view), no panel stands behind the subject.
 constexpr std::array kPanels{
     // Key: warm, large, at the upper left of the camera.
-    Softbox{{-0.78F, 0.72F, 0.55F}, 0.62F, 0.5F, {9.6F, 8.7F, 7.5F}, 0.22F, 0.35F},
+    Softbox{{-0.78F, 0.72F, 0.55F}, 0.62F, 0.5F, {10.9F, 9.9F, 8.6F}, 0.22F, 0.35F},
     // Fill: cool, tall, on the right, three stops below.
     Softbox{{1.0F, 0.22F, 0.42F}, 0.42F, 0.75F, {1.25F, 1.5F, 1.85F}, 0.35F, 0.3F},
     // Rim: a narrow strip high behind, a little to the right.
-    Softbox{{0.52F, 0.55F, -0.85F}, 0.13F, 0.72F, {7.2F, 7.4F, 7.8F}, 0.3F, 0.15F},
-    // Kicker: a dim strip low behind on the left, to part dark edges from the background.
-    Softbox{{-0.85F, 0.12F, -0.72F}, 0.09F, 0.55F, {2.3F, 2.2F, 2.05F}, 0.4F, 0.15F},
+    Softbox{{0.9F, 0.72F, -0.75F}, 0.15F, 0.55F, {8.2F, 8.4F, 8.8F}, 0.3F, 0.15F},
+    // Kicker: a dim strip low on the left, to part dark edges from the background.
+    Softbox{{-0.98F, 0.08F, -0.12F}, 0.08F, 0.55F, {2.3F, 2.2F, 2.05F}, 0.4F, 0.15F},
 };
 
 float smoothStep(float low, float high, float x) {
@@ -54,9 +55,9 @@ glm::vec3 panelRadiance(const Softbox& panel, const glm::vec3& d) {
 
 /// Grey cyclorama: a soft glow on the wall behind the subject, dark overhead, and a floor that bounces the key.
 glm::vec3 domeRadiance(const glm::vec3& d) {
-    const glm::vec3 wall{0.30F, 0.305F, 0.32F}, ceiling{0.085F, 0.088F, 0.1F}, floor{0.36F, 0.345F, 0.32F};
+    const glm::vec3 wall{0.235F, 0.24F, 0.252F}, ceiling{0.085F, 0.088F, 0.1F}, floor{0.29F, 0.278F, 0.26F};
     glm::vec3 color = glm::mix(wall, ceiling, smoothStep(-0.05F, 0.85F, d.y));
-    const glm::vec3 behind = glm::normalize(glm::vec3(0, -0.05F, -1));
+    const glm::vec3 behind = glm::normalize(glm::vec3(-0.35F, -0.05F, -1));
     color *= 0.78F + 0.75F * std::pow(glm::max(glm::dot(d, behind), 0.0F), 3.0F);
     const float underLeft = 0.85F + 0.35F * glm::max(glm::dot(d, glm::normalize(glm::vec3(-0.5F, -0.7F, 0.4F))), 0.0F);
     return glm::mix(color, floor * underLeft, smoothStep(0.02F, -0.5F, d.y));
