@@ -24,7 +24,7 @@ SurfaceUv interpolateUv(uvec3 vertices, VertexRecord a, VertexRecord b, VertexRe
 vec4 surfaceTexture(uint index, SurfaceUv s, vec4 absent) {
     if (kHasTextures == 0u || index == kNone) return absent;
     TextureRecord t = loadTexture(index);
-    vec2 uv = kHasVertexExtras != 0u && (t.flags & kTextureUv1) != 0u ? s.uv1 : s.uv0;
+    vec2 uv = (t.flags & kTextureUv1) != 0u ? s.uv1 : s.uv0;
     return sampleTexture(t, uv);
 }
 
