@@ -30,7 +30,7 @@ struct Bytes {
 [[nodiscard]] std::filesystem::path resolveUri(std::string_view uri, const std::filesystem::path& folder,
                                                const std::string& blamed, std::string_view place);
 
-/// The payload of a `data:` URI in base64.
+/// The payload of a `data:` URI, base64 or percent-encoded. [RFC 2397]
 [[nodiscard]] Bytes decodeDataUri(std::string_view uri, const std::string& blamed, std::string_view place);
 
 /// Immutable after construction, so that many threads may read it.

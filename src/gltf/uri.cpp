@@ -1,7 +1,8 @@
-// URIs of glTF files: relative references and base64 data.
+// URIs of glTF files: relative references and embedded data.
 #include <array>
 #include <cctype>
 #include <cstdint>
+#include <cstring>
 
 #include "base/error.h"
 #include "gltf/document.h"
@@ -84,7 +85,13 @@ Bytes decodeDataUri(std::string_view uri, const std::string& blamed, std::string
         throw FileError(blamed, fmt::format("{}: data URI {}", place, reason));
     };
     const std::size_t comma = uri.find(',');
-    if (comma == std::string_view::npos || !uri.substr(0, comma).ends_with(";base64")) refuse("is not in base64");
+    if (comma == std::string_view::npos) refuse("has no data");
+    if (!uri.substr(0, comma).ends_with(";base64")) {
+        const std::string plain = percentDecode(uri.substr(comma + 1));
+        Bytes bytes{std::make_unique_for_overwrite<std::byte[]>(plain.size()), plain.size()};
+        std::memcpy(bytes.data.get(), plain.data(), plain.size());
+        return bytes;
+    }
     std::string_view text = uri.substr(comma + 1);
     while (text.ends_with('=')) text.remove_suffix(1);
     if (text.size() % 4 == 1) refuse("is cut short");

@@ -1,0 +1,272 @@
+// PNG and JPEG of every kind, made here by the same libraries' encoders.
+#include "gltf/images.h"
+
+#include <csetjmp>
+#include <cstdio>
+#include <cstdlib>
+// jpeglib.h needs the three above.
+#include <jpeglib.h>
+#include <spng.h>
+
+#include <cstring>
+#include <memory>
+
+#include "builder.h"
+
+namespace vkpt::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+struct PngImage {
+    std::uint32_t width, height;
+    std::uint8_t depth, colorType;
+    std::vector<std::uint8_t> samples;  // as in the file: 16-bit ones big-endian
+};
+
+ByteVector encodePng(const PngImage& image, const spng_plte* palette = nullptr,
+                     const spng_trns* transparency = nullptr) {
+    const std::unique_ptr<spng_ctx, void (*)(spng_ctx*)> context(spng_ctx_new(SPNG_CTX_ENCODER), spng_ctx_free);
+    spng_set_option(context.get(), SPNG_ENCODE_TO_BUFFER, 1);
+    spng_ihdr header{};
+    header.width = image.width;
+    header.height = image.height;
+    header.bit_depth = image.depth;
+    header.color_type = image.colorType;
+    spng_set_ihdr(context.get(), &header);
+    spng_plte plte{};
+    spng_trns trns{};
+    if (palette != nullptr) {
+        plte = *palette;
+        spng_set_plte(context.get(), &plte);
+    }
+    if (transparency != nullptr) {
+        trns = *transparency;
+        spng_set_trns(context.get(), &trns);
+    }
+    int error = spng_encode_image(context.get(), image.samples.data(), image.samples.size(), SPNG_FMT_RAW,
+                                  SPNG_ENCODE_FINALIZE);
+    EXPECT_EQ(error, 0) << spng_strerror(error);
+    std::size_t size = 0;
+    std::uint8_t* data = static_cast<std::uint8_t*>(spng_get_png_buffer(context.get(), &size, &error));
+    ByteVector out(data, data + size);
+    std::free(data);
+    return out;
+}
+
+ByteVector encodeJpeg(std::uint32_t width, std::uint32_t height, int channels, J_COLOR_SPACE space,
+                      const std::vector<std::uint8_t>& samples, bool progressive = false) {
+    jpeg_compress_struct info{};
+    jpeg_error_mgr errors{};
+    info.err = jpeg_std_error(&errors);
+    jpeg_create_compress(&info);
+    unsigned char* data = nullptr;
+    unsigned long size = 0;
+    jpeg_mem_dest(&info, &data, &size);
+    info.image_width = width;
+    info.image_height = height;
+    info.input_components = channels;
+    info.in_color_space = space;
+    jpeg_set_defaults(&info);
+    jpeg_set_quality(&info, 100, TRUE);
+    if (progressive) jpeg_simple_progression(&info);
+    jpeg_start_compress(&info, TRUE);
+    while (info.next_scanline < height) {
+        auto* row = const_cast<JSAMPROW>(samples.data() +
+                                         std::size_t{info.next_scanline} * width * static_cast<unsigned>(channels));
+        jpeg_write_scanlines(&info, &row, 1);
+    }
+    jpeg_finish_compress(&info);
+    ByteVector out(data, data + size);
+    jpeg_destroy_compress(&info);
+    std::free(data);
+    return out;
+}
+
+std::span<const std::byte> asBytes(const ByteVector& bytes) { return std::as_bytes(std::span(bytes)); }
+
+TextureImage png(const ByteVector& bytes) {
+    std::string fault;
+    TextureImage image = gltf::decodePng(asBytes(bytes), fault);
+    EXPECT_EQ(fault, "");
+    return image;
+}
+
+TextureImage jpeg(const ByteVector& bytes) {
+    std::string fault;
+    TextureImage image = gltf::decodeJpeg(asBytes(bytes), fault);
+    EXPECT_EQ(fault, "");
+    return image;
+}
+
+TEST(Png, RgbaRedInTheLowByteTopRowFirst) {
+    const TextureImage image = png(encodePng({1, 2, 8, SPNG_COLOR_TYPE_TRUECOLOR_ALPHA, {1, 2, 3, 4, 5, 6, 7, 8}}));
+    EXPECT_EQ(image.width, 1U);
+    EXPECT_EQ(image.height, 2U);
+    EXPECT_THAT(image.texels, ElementsAre(0x04030201U, 0x08070605U));
+}
+
+TEST(Png, RgbAndGreyBecomeOpaque) {
+    EXPECT_THAT(png(encodePng({1, 1, 8, SPNG_COLOR_TYPE_TRUECOLOR, {1, 2, 3}})).texels, ElementsAre(0xff030201U));
+    EXPECT_THAT(png(encodePng({1, 1, 8, SPNG_COLOR_TYPE_GRAYSCALE, {7}})).texels, ElementsAre(0xff070707U));
+    EXPECT_THAT(png(encodePng({1, 1, 8, SPNG_COLOR_TYPE_GRAYSCALE_ALPHA, {7, 9}})).texels, ElementsAre(0x09070707U));
+    EXPECT_THAT(png(encodePng({2, 1, 1, SPNG_COLOR_TYPE_GRAYSCALE, {0x40}})).texels,
+                ElementsAre(0xff000000U, 0xffffffffU));
+}
+
+TEST(Png, PaletteWithTransparency) {
+    spng_plte palette{};
+    palette.n_entries = 2;
+    palette.entries[0] = {10, 20, 30, 255};
+    palette.entries[1] = {40, 50, 60, 255};
+    spng_trns transparency{};
+    transparency.n_type3_entries = 1;
+    transparency.type3_alpha[0] = 128;
+    EXPECT_THAT(png(encodePng({2, 1, 8, SPNG_COLOR_TYPE_INDEXED, {1, 0}}, &palette, &transparency)).texels,
+                ElementsAre(0xff3c3228U, 0x801e140aU));
+}
+
+// 0x00ff is 255/65535 = 0.99 of a step of 1/255: rounding gives 1 where dropping the low byte would give 0.
+TEST(Png, SixteenBitsAreRounded) {
+    const std::vector<std::uint8_t> samples = {0x00, 0xff, 0x00, 0x80, 0xff, 0x7f, 0xff, 0xff};
+    EXPECT_THAT(png(encodePng({1, 1, 16, SPNG_COLOR_TYPE_TRUECOLOR_ALPHA, samples})).texels, ElementsAre(0xffff0001U));
+}
+
+TEST(Png, BrokenOnesSayWhy) {
+    const ByteVector whole = encodePng({2, 2, 8, SPNG_COLOR_TYPE_GRAYSCALE, {1, 2, 3, 4}});
+    for (std::size_t size = 8; size + 20 < whole.size(); ++size) {  // the checksums and IEND may be missing
+        std::string fault;
+        const TextureImage image = gltf::decodePng(asBytes(whole).first(size), fault);
+        EXPECT_TRUE(image.texels.empty()) << size;
+        EXPECT_THAT(fault, HasSubstr("broken PNG"));
+    }
+}
+
+TEST(Png, HeadersThatPromiseTooMuchAreRefusedBeforeAnythingIsAllocated) {
+    ByteVector bytes = encodePng({2, 2, 8, SPNG_COLOR_TYPE_GRAYSCALE, {1, 2, 3, 4}});
+    bytes[17] = bytes[21] = 0x40;  // 2^22 wide and high
+    std::string fault;
+    EXPECT_TRUE(gltf::decodePng(asBytes(bytes), fault).texels.empty());
+    EXPECT_NE(fault, "");
+
+    // Honest checksum, dishonest size: 16384 x 16384 in 70 bytes.
+    ByteVector small = encodePng({1, 1, 8, SPNG_COLOR_TYPE_GRAYSCALE, {1}});
+    const ByteVector wide = encodePng({16384, 1, 8, SPNG_COLOR_TYPE_GRAYSCALE, std::vector<std::uint8_t>(16384)});
+    std::copy(wide.begin() + 8, wide.begin() + 33, small.begin() + 8);  // the IHDR chunk
+    fault.clear();
+    EXPECT_TRUE(gltf::decodePng(asBytes(small), fault).texels.empty());
+    EXPECT_NE(fault, "");
+}
+
+void expectTexel(std::uint32_t texel, int r, int g, int b, int tolerance) {
+    EXPECT_NEAR(static_cast<int>(texel & 255U), r, tolerance);
+    EXPECT_NEAR(static_cast<int>(texel >> 8 & 255U), g, tolerance);
+    EXPECT_NEAR(static_cast<int>(texel >> 16 & 255U), b, tolerance);
+    EXPECT_EQ(texel >> 24, 255U);
+}
+
+template <std::size_t n>
+std::vector<std::uint8_t> repeat(const std::array<std::uint8_t, n>& pixel, std::size_t count) {
+    std::vector<std::uint8_t> samples;
+    for (std::size_t i = 0; i < count; ++i) samples.insert(samples.end(), pixel.begin(), pixel.end());
+    return samples;
+}
+
+TEST(Jpeg, ColourGreyProgressive) {
+    const auto rgb = repeat<3>({200, 100, 50}, 64);
+    const auto grey = repeat<1>({90}, 64);
+    const TextureImage image = jpeg(encodeJpeg(8, 8, 3, JCS_RGB, rgb));
+    ASSERT_EQ(image.texels.size(), 64U);
+    expectTexel(image.texels[27], 200, 100, 50, 3);
+    expectTexel(jpeg(encodeJpeg(8, 8, 3, JCS_RGB, rgb, true)).texels[0], 200, 100, 50, 3);
+    expectTexel(jpeg(encodeJpeg(8, 8, 1, JCS_GRAYSCALE, grey)).texels[63], 90, 90, 90, 1);
+}
+
+TEST(Jpeg, TopRowFirst) {
+    auto samples = repeat<1>({0}, 16 * 8);
+    std::fill(samples.begin(), samples.begin() + 64, std::uint8_t{255});
+    const TextureImage image = jpeg(encodeJpeg(8, 16, 1, JCS_GRAYSCALE, samples));
+    expectTexel(image.texels[0], 255, 255, 255, 2);
+    expectTexel(image.texels[127], 0, 0, 0, 2);
+}
+
+// libjpeg marks its CMYK files as Adobe's, which store paper, not ink: 255 is none.
+TEST(Jpeg, CmykBecomesRgb) {
+    expectTexel(jpeg(encodeJpeg(8, 8, 4, JCS_CMYK, repeat<4>({255, 128, 0, 255}, 64))).texels[0], 255, 128, 0, 3);
+    expectTexel(jpeg(encodeJpeg(8, 8, 4, JCS_CMYK, repeat<4>({255, 255, 255, 51}, 64))).texels[0], 51, 51, 51, 3);
+}
+
+TEST(Jpeg, TruncationIsAFaultOrAWarningButNeverACrash) {
+    const ByteVector whole = encodeJpeg(32, 32, 3, JCS_RGB, repeat<3>({9, 99, 199}, 1024), true);
+    bool shown = false;
+    for (std::size_t size = 3; size + 2 < whole.size(); ++size) {
+        std::string fault;
+        shown |= !gltf::decodeJpeg(asBytes(whole).first(size), fault).texels.empty();
+        EXPECT_THAT(fault, HasSubstr("JPEG")) << size;
+    }
+    EXPECT_TRUE(shown) << "an image cut short near its end should still show";
+}
+
+TEST(Jpeg, FlippedBytesNeverCrash) {
+    const ByteVector whole = encodeJpeg(32, 32, 3, JCS_RGB, repeat<3>({9, 99, 199}, 1024));
+    for (std::size_t i = 2; i < whole.size(); ++i) {
+        ByteVector bytes = whole;
+        bytes[i] ^= 0x5a;
+        // Sizes would be honoured as far as the limit goes; leave the frame header's alone, for speed.
+        const auto frame = std::search(whole.begin(), whole.end(), std::begin({0xff, 0xc0}), std::end({0xff, 0xc0}));
+        const auto at = static_cast<std::size_t>(frame - whole.begin());
+        if (i >= at + 5 && i < at + 9) continue;
+        std::string fault;
+        (void)gltf::decodeJpeg(asBytes(bytes), fault);
+    }
+}
+
+// ---- through a file -------------------------------------------------------------------------------------------
+
+Builder withImage(const Json& image) {
+    Builder b;
+    b.triangle();
+    b.textured(image);
+    return b;
+}
+
+TEST(Images, FromBufferViewUriAndDataUri) {
+    const ByteVector bytes = encodePng({1, 1, 8, SPNG_COLOR_TYPE_TRUECOLOR, {1, 2, 3}});
+    Builder view;
+    view.triangle();
+    view.textured({{"bufferView", view.view(bytes)}, {"mimeType", "image/png"}, {"name", "paint"}});
+    const Scene scene = view.import();
+    EXPECT_THAT(scene.images.at(0).texels, ElementsAre(0xff030201U));
+    EXPECT_EQ(scene.images[0].name, "paint");
+    EXPECT_THAT(withImage({{"uri", "data:image/png;base64," + base64(bytes)}}).import().images.at(0).texels,
+                ElementsAre(0xff030201U));
+    const TempFolder folder;
+    folder.write("text ures/ä.png", bytes);
+    const auto file = folder.write("s.gltf", withImage({{"uri", "text%20ures/%C3%A4.png"}}).text());
+    EXPECT_THAT(importGltf(file).images.at(0).texels, ElementsAre(0xff030201U));
+}
+
+TEST(Images, TheBytesDecideNotTheMimeType) {
+    const ByteVector bytes = encodeJpeg(8, 8, 1, JCS_GRAYSCALE, repeat<1>({90}, 64));
+    EXPECT_EQ(withImage({{"uri", "data:image/png;base64," + base64(bytes)}}).import().images.at(0).width, 8U);
+}
+
+TEST(Images, Faults) {
+    EXPECT_THAT(faultOf(withImage({{"uri", "gone.png"}})), HasSubstr("scene.gltf: images[0]: gone.png: no such file"));
+    EXPECT_THAT(faultOf(withImage({{"uri", "../x.png"}})),
+                HasSubstr("images[0]: uri \"../x.png\" leaves the scene's folder"));
+    EXPECT_THAT(faultOf(withImage({{"uri", "data:image/webp,RIFF"}})), HasSubstr("images[0]: is neither PNG nor JPEG"));
+    EXPECT_THAT(faultOf(withImage({{"uri", "data:image/png,%89PNG"}})), HasSubstr("images[0]: broken PNG"));
+    EXPECT_THAT(faultOf(withImage(Json::object())), HasSubstr("images[0]: has neither uri nor bufferView"));
+}
+
+TEST(Images, ThoseThatNothingUsesAreNotEvenOpened) {
+    Builder b;
+    b.triangle();
+    b.push("images", {{"uri", "gone.png"}});
+    EXPECT_TRUE(b.import().images.empty());
+}
+
+}  // namespace
+}  // namespace vkpt::test

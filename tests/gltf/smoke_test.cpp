@@ -1,0 +1,107 @@
+// Every model at hand.
+#include <algorithm>
+#include <fstream>
+#include <set>
+
+#include "builder.h"
+
+namespace vkpt::test {
+namespace {
+
+const std::filesystem::path kModels = std::filesystem::path(VKPT_ASSETS) / "models";
+const std::filesystem::path kMalformed = std::filesystem::path(VKPT_ASSETS) / "malformed";
+
+std::vector<std::filesystem::path> filesBelow(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> files;
+    if (!std::filesystem::exists(folder)) return files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+        if (entry.path().extension() == ".gltf" || entry.path().extension() == ".glb") files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+// What every importer's output promises: see scene/scene.h.
+void expectSound(const Scene& scene) {
+    ASSERT_FALSE(scene.materials.empty());
+    for (const MeshInstance& instance : scene.instances) ASSERT_LT(instance.mesh, scene.meshes.size());
+    for (const Mesh& mesh : scene.meshes)
+        for (const Primitive& p : mesh.primitives) {
+            const std::size_t n = p.positions.size();
+            EXPECT_EQ(p.normals.size(), n);
+            for (const std::size_t size : {p.tangents.size(), p.uv0.size(), p.uv1.size(), p.colors.size()})
+                EXPECT_TRUE(size == 0 || size == n);
+            ASSERT_LT(p.material, scene.materials.size());
+            EXPECT_EQ(scene.materials[p.material].normalTexture.image >= 0, !p.tangents.empty());
+            EXPECT_TRUE(std::all_of(p.triangles.begin(), p.triangles.end(),
+                                    [&](const glm::uvec3& t) { return t.x < n && t.y < n && t.z < n; }));
+            EXPECT_TRUE(std::all_of(p.normals.begin(), p.normals.end(),
+                                    [](const glm::vec3& v) { return std::abs(glm::dot(v, v) - 1) < 1e-4F; }));
+        }
+    for (const Material& m : scene.materials)
+        for (const TextureUse* use :
+             {&m.baseColorTexture, &m.metallicRoughnessTexture, &m.normalTexture, &m.emissiveTexture}) {
+            ASSERT_LT(use->image, static_cast<int>(scene.images.size()));
+            EXPECT_LT(use->uvSet, 2U);
+        }
+    for (const TextureImage& image : scene.images)
+        EXPECT_EQ(image.texels.size(), std::size_t{image.width} * image.height);
+}
+
+TEST(Smoke, EveryModelImportsOrNamesTheExtensionItNeeds) {
+    const auto files = filesBelow(kModels);
+    if (files.empty()) GTEST_SKIP() << "no models: " << kModels << " is absent";
+    std::size_t imported = 0;
+    for (const auto& file : files) {
+        SCOPED_TRACE(file.string());
+        try {
+            expectSound(importGltf(file));
+            ++imported;
+        } catch (const FileError& error) {
+            const std::string message = error.what();
+            const bool future = message.find("asset.minVersion: the file needs glTF 2.1") != std::string::npos;
+            EXPECT_TRUE(future || message.find(": extensionsRequired: needs ") != std::string::npos) << message;
+        }
+    }
+    EXPECT_GE(imported * 10, files.size() * 8) << "too few models import";
+}
+
+TEST(Smoke, MalformedFilesAreSoundOrOneLine) {
+    const auto files = filesBelow(kMalformed);
+    if (files.empty()) GTEST_SKIP() << "no malformed files: " << kMalformed << " is absent";
+    for (const auto& file : files) {
+        SCOPED_TRACE(file.string());
+        try {
+            expectSound(importGltf(file));
+        } catch (const FileError& error) {
+            EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+        }
+    }
+}
+
+// Noise in every byte of a file that uses most features: sound or one line, never a crash.
+TEST(Smoke, FlippedBytes) {
+    Builder b;
+    Json& p = b.triangle();
+    p["attributes"]["NORMAL"] = b.vec3({0, 0, 1, 0, 0, 1, 0, 0, 1});
+    p["attributes"]["TEXCOORD_0"] = b.vec2({0, 1, 1, 1, 0, 0});
+    p["attributes"]["COLOR_0"] = b.accessor<std::uint8_t>(std::vector<std::uint8_t>(12, 200), "VEC4", 4, true);
+    p["indices"] = b.accessor<std::uint16_t>({0, 1, 2}, "SCALAR", 1);
+    b.json["nodes"][0]["rotation"] = {0, 0, 0, 1};
+    b.json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 1}}}}};
+    b.json["nodes"][0]["camera"] = 0;
+    const ByteVector whole = b.glb();
+    const TempFolder folder;
+    for (std::size_t i = 0; i < whole.size(); ++i)
+        for (const int flip : {0x01, 0x80}) {
+            ByteVector bytes = whole;
+            bytes[i] ^= static_cast<std::uint8_t>(flip);
+            try {
+                expectSound(importGltf(folder.write("scene.glb", bytes)));
+            } catch (const FileError& error) {
+                EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+            }
+        }
+}
+
+}  // namespace
+}  // namespace vkpt::test
