@@ -1,7 +1,11 @@
 // vkpt: the subcommand table, and the one place where exceptions become exit codes.
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <cstdio>
+#include <cstring>
 #include <iostream>
 #include <new>
 
@@ -20,8 +24,23 @@ int fail(ExitCode code, const std::string& message) {
     return static_cast<int>(code);
 }
 
+bool isCommand(const char* word) {
+    return std::any_of(kCommands.begin(), kCommands.end(), [&](auto* c) { return std::strcmp(c->name, word) == 0; });
+}
+
+/// Names the word at fault, where CLI11 would only say that some command is required.
+void checkFirstWord(int argc, char** argv) {
+    if (argc < 2 || isCommand(argv[1])) return;
+    const std::string word = argv[1];
+    if (word == "-h" || word == "--help" || word == "--version") return;
+    std::string names;
+    for (const Command* command : kCommands) names.append(names.empty() ? "" : ", ").append(command->name);
+    throw Error(ExitCode::Usage, fmt::format("'{}' is no command: there are {}", word, names));
+}
+
 /// Parses the command line and runs the command it names.
 ExitCode run(CLI::App& app, int argc, char** argv) {
+    checkFirstWord(argc, argv);
     std::function<ExitCode()> chosen;
     app.require_subcommand(1);
     app.set_version_flag("--version", std::string(kSoftware));
@@ -47,7 +66,8 @@ int main(int argc, char** argv) {
     } catch (const CLI::Success& help) {
         return app.exit(help);
     } catch (const CLI::ParseError& error) {
-        return fail(ExitCode::Usage, std::string(error.what()) + " (see vkpt --help)");
+        const std::string command = argc > 1 && isCommand(argv[1]) ? std::string(argv[1]) + " " : "";
+        return fail(ExitCode::Usage, fmt::format("{} (see vkpt {}--help)", error.what(), command));
     } catch (const Error& error) {
         return fail(error.code(), error.what());
     } catch (const std::bad_alloc&) {

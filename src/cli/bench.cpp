@@ -117,9 +117,8 @@ std::function<ExitCode()> setUpBench(CLI::App& app) {
     addSamplingOptions(app, command->sampling);
     addParsed(app, "--backend", command->backends, parseBackends, "vulkan|cpu|both", "which to time (default: both)");
     addDeviceOptions(app, command->backend);
-    app.add_option("--repeat", command->repeat, "runs of each, of which the fastest counts (default: 3)")
-        ->type_name("N")
-        ->check(CLI::PositiveNumber);
+    addParsed(app, "--repeat", command->repeat, numberWithin(1U), "N",
+              "runs of each, of which the fastest counts (default: 3)", kCount);
     app.add_flag("--json", command->json, "as JSON");
     addVerbosity(app, command->verbosity);
     return [command] { return runBench(*command); };

@@ -11,8 +11,8 @@
 namespace vkpt {
 namespace {
 
-/// Shortest text that reads back as the same floats.
-std::string text(const glm::vec3& v) { return fmt::format("{},{},{}", v.x, v.y, v.z); }
+/// Shortest text that reads back as the same floats; -0 is 0.
+std::string text(const glm::vec3& v) { return fmt::format("{},{},{}", v.x + 0.0F, v.y + 0.0F, v.z + 0.0F); }
 
 std::string_view samplerName(SamplerId id) {
     for (const SamplerInfo& sampler : kSamplers)

@@ -30,9 +30,8 @@ void addCameraOptions(CLI::App& app, SceneOptions& options) {
     auto* target = addParsed(app, "--target", options.target, parseVec3, "X,Y,Z",
                              "what it looks at (default: the middle of the scene)")
                        ->group(group);
-    app.add_option("--fov", options.fov, "vertical field of view in degrees")
-        ->type_name("DEG")
-        ->check(CLI::Range(0.01, 179.0))
+    addParsed(app, "--fov", options.fov, numberWithin(0.01F, 179.0F), "DEG", "vertical field of view in degrees",
+              "an angle from 0.01 to 179 degrees")
         ->group(group);
     eye->excludes(camera)->excludes(orbit);
     orbit->excludes(camera);
@@ -44,12 +43,11 @@ void addLightOptions(CLI::App& app, SceneOptions& options) {
     addParsed(app, "--env", options.environment, parseEnvironment, "FILE|R,G,B|studio|none",
               "what surrounds the scene (default: the studio where the scene has no light, else none)")
         ->group(group);
-    app.add_option("--env-rotation", options.envRotation, "turn it about the vertical axis")
-        ->type_name("DEG")
+    addParsed(app, "--env-rotation", options.envRotation, parseNumber<float>, "DEG", "turn it about the vertical axis",
+              kReal)
         ->group(group);
-    app.add_option("--env-strength", options.envStrength, "multiply its radiance")
-        ->type_name("X")
-        ->check(CLI::NonNegativeNumber)
+    addParsed(app, "--env-strength", options.envStrength, numberWithin(0.0F), "X", "multiply its radiance",
+              "a number, 0 or above")
         ->group(group);
     addParsed(app, "--background", options.background, parseBackground, "env|transparent|R,G,B",
               "what the camera sees where nothing is (default: env)")
@@ -60,9 +58,8 @@ void addLightOptions(CLI::App& app, SceneOptions& options) {
 
 void addSceneFile(CLI::App& app, SceneOptions& options, bool required) {
     app.add_option("SCENE", options.file, "glTF 2.0 file, .gltf or .glb")->required(required)->type_name("FILE");
-    app.add_option("--scene", options.sceneIndex, "which scene of the file (default: the one it names)")
-        ->type_name("INDEX")
-        ->check(CLI::NonNegativeNumber);
+    addParsed(app, "--scene", options.sceneIndex, numberWithin(0), "INDEX",
+              "which scene of the file (default: the one it names)", kWhole);
 }
 
 void addSceneOptions(CLI::App& app, SceneOptions& options) {
@@ -73,25 +70,25 @@ void addSceneOptions(CLI::App& app, SceneOptions& options) {
 
 void addSamplingOptions(CLI::App& app, SamplingOptions& options) {
     const char* group = "Sampling";
-    app.add_option("--spp", options.spp, fmt::format("samples a pixel (default: {})", options.spp))
-        ->type_name("N")
-        ->check(CLI::PositiveNumber)
+    addParsed(app, "--spp", options.spp, numberWithin(1U), "N",
+              fmt::format("samples a pixel (default: {})", options.spp), kCount)
         ->group(group);
     addParsed(app, "--samples", options.samples, parseSampleRange, "A:B",
               "render samples A to B-1 of the --spp ones only")
         ->group(group);
-    app.add_option("--seed", options.seed, "another seed gives other noise (default: 0)")->type_name("N")->group(group);
+    addParsed(app, "--seed", options.seed, numberWithin(0U), "N", "another seed gives other noise (default: 0)", kWhole)
+        ->group(group);
     addParsed(app, "--sampler", options.sampler, nameIn(kSamplers), namesOf(kSamplers),
               "where random numbers come from (default: sobol)")
         ->group(group);
-    app.add_option("--max-depth", options.maxDepth, "0: emission, 1: direct light too, 2: one bounce, ... (default: 8)")
-        ->type_name("N")
+    addParsed(app, "--max-depth", options.maxDepth, numberWithin(0U), "N",
+              "0: emission, 1: direct light too, 2: one bounce, ... (default: 8)", kWhole)
         ->group(group);
     addParsed(app, "--rr", options.roulette, parseRoulette, "off|throughput|fixed:P",
               "Russian roulette (default: throughput)")
         ->group(group);
-    app.add_option("--rr-depth", options.rrDepth, "scatterings before it begins (default: 3)")
-        ->type_name("N")
+    addParsed(app, "--rr-depth", options.rrDepth, numberWithin(0U), "N", "scatterings before it begins (default: 3)",
+              kWhole)
         ->group(group);
 }
 
@@ -110,9 +107,7 @@ void addDeviceOptions(CLI::App& app, BackendOptions& options) {
               "how kernels read the scene (default: auto)")
         ->group(group);
     app.add_flag("--validate", options.validate, "turn Vulkan's validation layers on")->group(group);
-    app.add_option("--nthreads", options.threads, "threads of the host (default: all)")
-        ->type_name("N")
-        ->check(CLI::PositiveNumber)
+    addParsed(app, "--nthreads", options.threads, numberWithin(1U), "N", "threads of the host (default: all)", kCount)
         ->group(group);
 }
 

@@ -55,19 +55,24 @@ void addSceneOptions(CLI::App& app, SceneOptions& options);
 void addSamplingOptions(CLI::App& app, SamplingOptions& options);
 void addBackend(CLI::App& app, BackendOptions& options);
 void addDeviceOptions(CLI::App& app, BackendOptions& options);
+inline constexpr const char* kCount = "a whole number above 0";
+inline constexpr const char* kWhole = "a whole number, 0 or above";
+inline constexpr const char* kReal = "a number";
+inline constexpr const char* kPositive = "a number above 0";
+
 void addVerbosity(CLI::App& app, Verbosity& verbosity);
 
 /// Adds an option whose text `parse` turns into a value. A text it refuses is a usage error: "--size: 'big' is not
-/// WIDTHxHEIGHT".
+/// WxH", or `expected` instead of the form where that says more.
 template <class T, class Parse>
 CLI::Option* addParsed(CLI::App& app, const std::string& name, T& target, Parse parse, const std::string& form,
-                       const std::string& help) {
+                       const std::string& help, const std::string& expected = {}) {
     return app
         .add_option_function<std::string>(
             name,
-            [&target, parse, name, form](const std::string& text) {
+            [&target, parse, name, wanted = expected.empty() ? form : expected](const std::string& text) {
                 const auto value = parse(text);
-                if (!value) throw CLI::ValidationError(name, fmt::format("'{}' is not {}", text, form));
+                if (!value) throw CLI::ValidationError(name, fmt::format("'{}' is not {}", text, wanted));
                 target = *value;
             },
             help)

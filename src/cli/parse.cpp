@@ -1,21 +1,7 @@
 #include "cli/parse.h"
 
-#include <array>
-#include <charconv>
-#include <cmath>
-
 namespace vkpt {
 namespace {
-
-template <class T>
-std::optional<T> parseNumber(std::string_view text) {
-    T value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-    if constexpr (std::is_floating_point_v<T>)
-        if (!std::isfinite(value)) return std::nullopt;
-    return value;
-}
 
 struct Halves {
     std::string_view left, right;

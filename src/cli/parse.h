@@ -1,13 +1,36 @@
 // Texts of the command line to values. Every function is empty-handed on a malformed text.
 #pragma once
+#include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <glm/glm.hpp>
+#include <limits>
 #include <optional>
 #include <string_view>
 
 #include "constants.h"
 
 namespace vkpt {
+
+/// Decimal; the whole text must be the number, and a float finite.
+template <class T>
+[[nodiscard]] std::optional<T> parseNumber(std::string_view text) {
+    T value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    if constexpr (std::is_floating_point_v<T>)
+        if (!std::isfinite(value)) return std::nullopt;
+    return value;
+}
+
+/// A number from `least` to `most`, both allowed.
+template <class T>
+[[nodiscard]] auto numberWithin(T least, T most = std::numeric_limits<T>::max()) {
+    return [least, most](std::string_view text) {
+        const std::optional<T> value = parseNumber<T>(text);
+        return value && *value >= least && *value <= most ? value : std::nullopt;
+    };
+}
 
 /// "960x540": both 1 to 65535, as a sample id packs a pixel's coordinates into 16 bits each.
 [[nodiscard]] std::optional<glm::uvec2> parseSize(std::string_view text);

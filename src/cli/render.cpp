@@ -37,20 +37,22 @@ void addOutputOptions(CLI::App& app, RenderCommand& c) {
         ->type_name("FILE")
         ->allow_extra_args(false)
         ->group(group);
-    app.add_option("--exposure", c.write.display.exposure, "of PNG files: 1 EV doubles the light (default: 0)")
-        ->type_name("EV")
+    addParsed(app, "--exposure", c.write.display.exposure, parseNumber<float>, "EV",
+              "of PNG files: 1 EV doubles the light (default: 0)", kReal)
         ->group(group);
     addParsed(app, "--tonemap", c.write.display.toneMap, nameIn(kToneMaps), namesOf(kToneMaps),
               "of PNG files (default: neutral)")
         ->group(group);
-    app.add_option("--bits", c.write.pngBits, "of PNG files, a channel (default: 8)")
-        ->type_name("8|16")
-        ->check(CLI::IsMember({8, 16}))
+    addParsed(
+        app, "--bits", c.write.pngBits,
+        [](std::string_view text) {
+            return text == "8" ? std::optional(8) : text == "16" ? std::optional(16) : std::nullopt;
+        },
+        "8|16", "of PNG files, a channel (default: 8)")
         ->group(group);
     app.add_option("--stats", c.stats, "write times, rays and memory as JSON")->type_name("FILE")->group(group);
-    app.add_option("--time-limit", c.timeLimit, "stop after the pass that runs at this time, counted from the first")
-        ->type_name("S")
-        ->check(CLI::PositiveNumber)
+    addParsed(app, "--time-limit", c.timeLimit, numberWithin(std::numeric_limits<double>::min(), 1e9), "S",
+              "stop rendering after S seconds, at the end of a pass", kPositive)
         ->group(group);
     addVerbosity(app, c.verbosity);
 }
@@ -130,6 +132,8 @@ void reportRender(const Rendered& rendered, std::uint32_t asked) {
     const Film& film = rendered.film;
     if (film.refused > 0)
         spdlog::warn("{} contributions were NaN, infinite or out of range and do not count", film.refused);
+    if (rendered.report.validationMessages > 0)
+        spdlog::warn("Vulkan's validation layers said {} things", rendered.report.validationMessages);
     if (film.samples() < asked) spdlog::info("stopped after {} of {} samples a pixel", film.samples(), asked);
     if (rendered.report.renderSeconds > 0)
         spdlog::info("{} samples a pixel in {:.2f} s on {}: {:.2f} M paths/s", film.samples(),
@@ -143,6 +147,7 @@ ExitCode runRender(RenderCommand& c) {
     const ThreadLimit limit(c.backend.threads);
     const PreparedScene prepared = prepareScene(c.scene, c.sampling);
     const std::atomic<bool>& stop = catchInterrupt();
+    spdlog::debug("rendering: Ctrl-C writes the picture so far");
     const Rendered rendered = renderScene(c, prepared, stop);
     const bool interrupted = stop;
     reportRender(rendered, prepared.options.sampleEnd - prepared.options.sampleBegin);

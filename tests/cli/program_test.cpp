@@ -1,0 +1,240 @@
+// The program as a whole: exit codes, messages, files. Rendering is small and on the CPU where the backend does not
+// matter.
+#include <ImfHeader.h>
+#include <ImfInputFile.h>
+#include <ImfStringAttribute.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "base/image_read.h"
+#include "base/json.h"
+#include "cli/run_vkpt.h"
+#include "compare/metrics.h"
+
+namespace vkpt {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using Words = std::vector<std::string>;
+
+const std::string kCornellBox = VKPT_SCENES "/cornell_box/scene.gltf";
+
+class Program : public testing::Test {
+protected:
+    [[nodiscard]] RunResult run(Words arguments, RunOptions options = {}) const {
+        options.folder = folder_.path();
+        return runVkpt(arguments, options);
+    }
+    /// render kCornellBox, small, with more arguments.
+    [[nodiscard]] RunResult render(const Words& more, const RunOptions& options = {}, const char* spp = "2") const {
+        Words all{"render", kCornellBox, "--size", "24x16", "--spp", spp};
+        all.insert(all.end(), more.begin(), more.end());
+        return run(all, options);
+    }
+    [[nodiscard]] std::string attribute(const char* file, const char* key) const {
+        Imf::InputFile in((folder_.path() / file).c_str());
+        const auto* value = in.header().findTypedAttribute<Imf::StringAttribute>(key);
+        return value ? value->value() : "absent";
+    }
+    [[nodiscard]] Image image(const char* file) const { return readImage(folder_.path() / file); }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(Program, UsageErrorsAre64AndOneLineThatNamesTheFault) {
+    const std::pair<Words, const char*> cases[] = {
+        {{}, "subcommand"},
+        {{"frobnicate"}, "'frobnicate'"},
+        {{"--frobnicate"}, "'--frobnicate'"},
+        {{"render"}, "SCENE"},
+        {{"render", "a.glb", "--frobnicate"}, "--frobnicate"},
+        {{"render", "a.glb", "--size", "12"}, "--size"},
+        {{"render", "a.glb", "--spp", "none"}, "--spp"},
+        {{"render", "a.glb", "--bits", "12"}, "--bits"},
+        {{"render", "a.glb", "--tonemap", "filmic"}, "--tonemap"},
+        {{"render", "a.glb", "-o", "a.bmp"}, "--output"},
+        {{"render", "a.glb", "b.glb"}, "b.glb"},
+        {{"render", "a.glb", "--quiet", "--verbose"}, "--quiet"},
+        {{"render", kCornellBox, "--samples", "1:99"}, "--samples"},
+        {{"info"}, "SCENE"},
+        {{"bench", "--backend", "gpu"}, "--backend"},
+    };
+    for (const auto& [words, named] : cases) {
+        const RunResult r = run(words);
+        EXPECT_EQ(r.code, 64) << named;
+        EXPECT_THAT(r.err, testing::StartsWith("vkpt: "));
+        EXPECT_THAT(r.err, HasSubstr(named));
+        EXPECT_EQ(r.errLines(), 1) << r.err;
+        EXPECT_EQ(r.out, "");
+    }
+}
+
+TEST_F(Program, HelpOfEveryCommandShowsAnExample) {
+    EXPECT_EQ(run({"--help"}).code, 0);
+    EXPECT_THAT(run({"--version"}).out, testing::StartsWith("vkpt "));
+    for (const char* command : {"render", "info", "devices", "bench"}) {
+        const RunResult r = run({command, "--help"});
+        EXPECT_EQ(r.code, 0);
+        EXPECT_THAT(r.out, HasSubstr(std::string("Example:\n  vkpt ") + command));
+    }
+}
+
+TEST_F(Program, FileFaultsAre4AndOneLineThatNamesTheFile) {
+    (void)folder_.write("broken.gltf", "{\"asset\": ");
+    const std::pair<Words, const char*> cases[] = {
+        {{"render", "absent.glb"}, "absent.glb"},
+        {{"render", "broken.gltf"}, "broken.gltf"},
+        {{"info", "broken.gltf"}, "broken.gltf"},
+        {{"render", kCornellBox, "--env", "absent.hdr"}, "absent.hdr"},
+        {{"render", kCornellBox, "-o", "no/such/folder/a.png"}, "no/such/folder/a.png"},
+        {{"render", kCornellBox, "--stats", "no/s.json"}, "no/s.json"},
+        {{"render", kCornellBox, "--camera", "nobody"}, "nobody"},
+    };
+    for (const auto& [words, named] : cases) {
+        const RunResult r = run(words);
+        EXPECT_EQ(r.code, 4) << named;
+        EXPECT_THAT(r.err, HasSubstr(named));
+        EXPECT_EQ(r.errLines(), 1) << r.err;
+    }
+    EXPECT_THAT(folder_.files(), ElementsAre("broken.gltf")) << "nothing was written";
+}
+
+TEST_F(Program, WithoutVulkanItSaysSoAndTheCpuStillWorks) {
+    const RunOptions noDriver{
+        .environment = {"VK_DRIVER_FILES=/nonexistent.json", "VK_ICD_FILENAMES=/nonexistent.json"}};
+    EXPECT_EQ(run({"devices"}, noDriver).code, 5);
+    const RunResult r = render({}, noDriver);
+    EXPECT_EQ(r.code, 5);
+    EXPECT_EQ(r.errLines(), 1) << r.err;
+    EXPECT_THAT(r.err, HasSubstr("mesa-vulkan-drivers")) << "the package to install";
+    EXPECT_EQ(render({"--backend", "cpu"}, noDriver).code, 0);
+}
+
+TEST_F(Program, UnknownDeviceIs5) {
+    const RunResult r = render({"--device", "no such card"});
+    EXPECT_EQ(r.code, 5);
+    EXPECT_THAT(r.err, HasSubstr("no such card"));
+}
+
+TEST_F(Program, DefaultOutputIsNamedAfterTheScene) {
+    EXPECT_EQ(render({"--backend", "cpu"}).code, 0);
+    EXPECT_THAT(folder_.files(), ElementsAre("cornell_box.png"));
+    EXPECT_EQ(image("cornell_box.png").width, 24U);
+}
+
+TEST_F(Program, WritesEveryOutputWithMetadataAndStats) {
+    const RunResult r = render({"--backend", "cpu", "-o", "a.png", "-o", "a.exr", "-o", "a.hdr", "-o", "a.pfm",
+                                "--seed", "5", "--sampler", "random", "--stats", "s.json", "--quiet", "--bits", "16"});
+    ASSERT_EQ(r.code, 0) << r.err;
+    EXPECT_EQ(r.err, "") << "--quiet has nothing to say";
+    EXPECT_THAT(folder_.files(), ElementsAre("a.exr", "a.hdr", "a.pfm", "a.png", "s.json"));
+    EXPECT_EQ(attribute("a.exr", "vkpt:seed"), "5");
+    EXPECT_EQ(attribute("a.exr", "vkpt:sampler"), "random");
+    EXPECT_EQ(attribute("a.exr", "vkpt:spp"), "2");
+    EXPECT_EQ(attribute("a.exr", "vkpt:scene"), "scene.gltf");
+    EXPECT_EQ(compareImages(image("a.pfm"), image("a.exr")).maximum, 0);
+
+    const Json stats = Json::parse(readText(folder_.path() / "s.json"));
+    EXPECT_EQ(stats.at("spp"), 2);
+    EXPECT_EQ(stats.at("paths"), 24 * 16 * 2);
+    EXPECT_EQ(stats.at("settingsHash"), attribute("a.exr", "vkpt:settingsHash"));
+    EXPECT_GT(stats.at("secondsToFirstPass").get<double>(), 0);
+    EXPECT_GE(stats.at("pathRays").get<int>(), 24 * 16 * 2);
+    EXPECT_GT(stats.at("seconds").at("total").get<double>(), stats.at("seconds").at("import").get<double>());
+}
+
+TEST_F(Program, VulkanAgreesWithTheCpuAndValidationIsSilent) {
+    ASSERT_EQ(render({"--validate", "-o", "v.exr", "--stats", "v.json"}).code, 0);
+    ASSERT_EQ(render({"--backend", "cpu", "-o", "c.exr"}).code, 0);
+    const Json stats = Json::parse(readText(folder_.path() / "v.json"));
+    EXPECT_EQ(stats.at("validationMessages"), 0);
+    EXPECT_EQ(stats.at("stages").size() > 3, true);
+    EXPECT_LT(compareImages(image("v.exr"), image("c.exr")).meanAbsolute, 0.01);
+}
+
+TEST_F(Program, SampleRangesAreThePartsOfTheWhole) {
+    ASSERT_EQ(render({"--backend", "cpu", "-o", "whole.exr"}).code, 0);
+    ASSERT_EQ(render({"--backend", "cpu", "-o", "a.exr", "--samples", "0:1"}).code, 0);
+    ASSERT_EQ(render({"--backend", "cpu", "-o", "b.exr", "--samples", "1:2"}).code, 0);
+    const Image whole = image("whole.exr"), a = image("a.exr"), b = image("b.exr");
+    for (std::size_t i = 0; i < whole.pixels.size(); ++i)
+        ASSERT_NEAR(whole.pixels[i], (a.pixels[i] + b.pixels[i]) / 2, 1e-6F * (1 + whole.pixels[i]));
+    EXPECT_EQ(attribute("a.exr", "vkpt:samples"), "0:1");
+    EXPECT_EQ(attribute("a.exr", "vkpt:settingsHash"), attribute("whole.exr", "vkpt:settingsHash"));
+}
+
+TEST_F(Program, TransparentBackgroundKeepsAlpha) {
+    (void)folder_.write("t.gltf", triangleGltf());
+    (void)folder_.write("buffer.bin", triangleBuffer());
+    const Words base{"render", "t.gltf", "--backend", "cpu", "--size", "16x16", "--spp", "4"};
+    Words transparent = base, opaque = base;
+    transparent.insert(transparent.end(), {"--background", "transparent", "-o", "t.png"});
+    opaque.insert(opaque.end(), {"-o", "o.png"});
+    const RunResult r = run(transparent);
+    ASSERT_EQ(r.code, 0);
+    EXPECT_THAT(r.err, HasSubstr("studio")) << "the log says what lights the scene";
+    ASSERT_EQ(run(opaque).code, 0);
+    ASSERT_EQ(image("t.png").channels, 4U);
+    EXPECT_EQ(image("t.png").at(0, 0)[3], 0);
+    EXPECT_EQ(image("o.png").channels, 3U);
+}
+
+TEST_F(Program, TimeLimitEndsWithSuccessAndTheTrueCount) {
+    const RunResult r = render({"--backend", "cpu", "--time-limit", "0.3", "-o", "a.exr"}, {}, "4000000");
+    EXPECT_EQ(r.code, 0) << r.err;
+    const int spp = std::stoi(attribute("a.exr", "vkpt:spp"));
+    EXPECT_GT(spp, 0);
+    EXPECT_LT(spp, 4000000);
+    EXPECT_THAT(r.err, HasSubstr("stopped after " + std::to_string(spp) + " of 4000000"));
+}
+
+class EveryBackend : public Program, public testing::WithParamInterface<const char*> {};
+
+TEST_P(EveryBackend, InterruptWritesThePictureSoFar) {
+    const RunResult r =
+        render({"--backend", GetParam(), "-o", "a.exr", "--verbose"}, {.interruptAfter = "Ctrl-C"}, "4000000");
+    ASSERT_EQ(r.code, 130) << r.err;
+    const std::string spp = attribute("a.exr", "vkpt:spp");
+    EXPECT_GT(std::stoi(spp), 0);
+    EXPECT_LT(std::stoi(spp), 4000000);
+    // The count is true: rendering just these samples gives the same picture, bit for bit.
+    ASSERT_EQ(render({"--backend", GetParam(), "-o", "b.exr", "--samples", "0:" + spp}, {}, "4000000").code, 0);
+    EXPECT_EQ(image("a.exr").pixels, image("b.exr").pixels);
+}
+
+INSTANTIATE_TEST_SUITE_P(Program, EveryBackend, testing::Values("cpu", "vulkan"));
+
+TEST_F(Program, InfoAndDevicesGiveJson) {
+    const RunResult info = run({"info", kCornellBox, "--json"});
+    ASSERT_EQ(info.code, 0);
+    EXPECT_TRUE(Json::parse(info.out).contains("counts"));
+    EXPECT_EQ(run({"info", kCornellBox}).code, 0);
+    const RunResult devices = run({"devices", "--json"});
+    ASSERT_EQ(devices.code, 0) << devices.err;
+    EXPECT_TRUE(Json::parse(devices.out).at(0).contains("usable"));
+}
+
+TEST_F(Program, BenchTimesBothBackends) {
+    const RunResult r = run({"bench", kCornellBox, "--size", "32x32", "--spp", "2", "--repeat", "2", "--json"});
+    ASSERT_EQ(r.code, 0) << r.err;
+    const Json results = Json::parse(r.out).at("results");
+    ASSERT_EQ(results.size(), 2U);
+    for (const Json& result : results) {
+        EXPECT_EQ(result.at("runSeconds").size(), 2U);
+        EXPECT_GT(result.at("millionPathsPerSecond").get<double>(), 0);
+        EXPECT_GT(result.at("secondsToFirstPass").get<double>(), 0);
+    }
+    EXPECT_FALSE(results[0].at("stages").empty());
+}
+
+TEST_F(Program, FullStandardOutputIs4) {
+    if (!std::ofstream("/dev/full")) GTEST_SKIP() << "/dev/full is absent";
+    const std::string command = std::string(VKPT_BINARY) + " info " + kCornellBox + " > /dev/full 2>/dev/null";
+    EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 4);
+}
+
+}  // namespace
+}  // namespace vkpt

@@ -1,0 +1,102 @@
+#include "cli/run_vkpt.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <thread>
+
+namespace vkpt {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void becomeVkpt(const std::vector<std::string>& arguments, const RunOptions& options, const fs::path& out,
+                             const fs::path& err) {
+    if (::chdir(options.folder.c_str()) != 0) std::_Exit(126);
+    ::dup2(::open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDOUT_FILENO);
+    ::dup2(::open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDERR_FILENO);
+    std::vector<std::string> environment = options.environment;
+    for (std::string& variable : environment) ::putenv(variable.data());
+    std::vector<char*> argv{const_cast<char*>(VKPT_BINARY)};
+    for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+    argv.push_back(nullptr);
+    ::execv(VKPT_BINARY, argv.data());
+    std::_Exit(127);
+}
+
+/// Waits for the text, at most 20 s, then interrupts.
+void interruptOnText(pid_t child, const fs::path& err, const std::string& text) {
+    for (int i = 0; i < 2000; ++i) {
+        if (readText(err).find(text) != std::string::npos) break;
+        siginfo_t ended{};
+        if (::waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 && ended.si_pid != 0)
+            return;  // it ended by itself
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    ::kill(child, SIGINT);
+}
+
+}  // namespace
+
+int RunResult::errLines() const { return static_cast<int>(std::count(err.begin(), err.end(), '\n')); }
+
+RunResult runVkpt(const std::vector<std::string>& arguments, const RunOptions& options) {
+    const TemporaryFolder logs;
+    const fs::path out = logs.path() / "out", err = logs.path() / "err";
+    const pid_t child = ::fork();
+    if (child == 0) becomeVkpt(arguments, options, out, err);
+    if (!options.interruptAfter.empty()) interruptOnText(child, err, options.interruptAfter);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), readText(out), readText(err)};
+}
+
+TemporaryFolder::TemporaryFolder() {
+    std::string name = (fs::temp_directory_path() / "vkpt_cli_XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+    path_ = name;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+    std::error_code leftBehind;  // a folder that stays is no reason to fail a test
+    fs::remove_all(path_, leftBehind);
+}
+
+fs::path TemporaryFolder::write(const std::string& name, const std::string& text) const {
+    std::ofstream(path_ / name, std::ios::binary) << text;
+    return path_ / name;
+}
+
+std::vector<std::string> TemporaryFolder::files() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(path_)) names.push_back(entry.path().filename().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+std::string triangleGltf() {
+    return R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                       "min": [0, 0, 0], "max": [1, 1, 0]}],
+        "bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"uri": "buffer.bin", "byteLength": 36}]})";
+}
+
+std::string triangleBuffer(float size) {
+    const float corners[9] = {0, 0, 0, size, 0, 0, 0, size, 0};
+    return {reinterpret_cast<const char*>(corners), sizeof corners};
+}
+
+std::string readText(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace vkpt
