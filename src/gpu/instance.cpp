@@ -1,5 +1,6 @@
 #include "gpu/instance.h"
 
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include <array>
@@ -50,10 +51,10 @@ namespace {
 VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT types,
                                          const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
     if (!(types & VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT)) {  // loader's and driver's remarks
-        spdlog::debug("Vulkan: {}", data->pMessage);
+        spdlog::debug(fmt::format("Vulkan: {}", data->pMessage));
         return VK_FALSE;
     }
-    spdlog::error("Vulkan validation: {}", data->pMessage);
+    spdlog::error(fmt::format("Vulkan validation: {}", data->pMessage));
     auto& log = *static_cast<MessageLog*>(user);
     const std::lock_guard lock(log.mutex);
     ++log.count;

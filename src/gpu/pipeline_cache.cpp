@@ -60,7 +60,7 @@ std::vector<char> load(const fs::path& file) {
     if (header.magic != expected.magic || header.bytes > kLargestFile) return {};
     std::vector<char> data(header.bytes);
     if (!in.read(data.data(), static_cast<std::streamsize>(data.size())) || hashOf(data) != header.hash) {
-        spdlog::debug("ignoring damaged pipeline cache {}", file.string());
+        spdlog::debug(fmt::format("ignoring damaged pipeline cache {}", file.string()));
         return {};
     }
     return data;
@@ -113,7 +113,7 @@ void PipelineCache::save() const {
     std::vector<char> data(bytes);
     if (vkGetPipelineCacheData(device_.handle(), handle(), &bytes, data.data()) != VK_SUCCESS) return;
     data.resize(bytes);
-    if (!replace(file_, data)) spdlog::debug("could not write pipeline cache {}", file_.string());
+    if (!replace(file_, data)) spdlog::debug(fmt::format("could not write pipeline cache {}", file_.string()));
 }
 
 }  // namespace vkpt

@@ -3,10 +3,15 @@ set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 
+# Build type of the sanitizer presets: asserts stay on, line numbers in reports, bearable speed.
+set(CMAKE_CXX_FLAGS_SANITIZE "-O1 -g1" CACHE STRING "Flags of build type Sanitize")
+
 add_library(vkpt_compiler INTERFACE)
 target_compile_options(vkpt_compiler INTERFACE -Wall -Wextra -Wshadow -Wpedantic -Werror -ffp-contract=off)
 target_include_directories(vkpt_compiler INTERFACE
   "${CMAKE_SOURCE_DIR}/src" "${CMAKE_SOURCE_DIR}/shaders/shared" "${VKPT_GENERATED}")
+# Bounds checks of the standard containers wherever asserts are on.
+target_compile_definitions(vkpt_compiler INTERFACE $<$<CONFIG:Debug,Sanitize>:_GLIBCXX_ASSERTIONS>)
 if(VKPT_SANITIZE)
   target_compile_options(vkpt_compiler INTERFACE -fsanitize=${VKPT_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(vkpt_compiler INTERFACE -fsanitize=${VKPT_SANITIZE})
