@@ -31,9 +31,14 @@ struct Bounds {
 };
 
 /// Half the surface of a box in units of scale^-2; `scale` keeps the products of huge and tiny extents in range.
+/// At least kLeastArea, so that where areas vanish (points, lines) costs count items and nodes. A power of two keeps
+/// such costs exact, and ties ties.
+inline constexpr float kLeastArea = 0x1p-66F;
+
 [[nodiscard]] inline float halfArea(const Bounds& box, float scale) {
     const Float4 d = (box.hi - box.lo) * scale;
-    return d[0] * d[1] + d[1] * d[2] + d[2] * d[0];
+    const float area = d[0] * d[1] + d[1] * d[2] + d[2] * d[0];
+    return area > kLeastArea ? area : kLeastArea;
 }
 
 /// What the builder sorts: the box of a triangle or an instance, and its index. 32 bytes, uninitialised by default.

@@ -30,6 +30,21 @@ Bounds triangleBounds(const TriangleRecord& t) {
     return box;
 }
 
+/// Bound of the error, in the world, of points no larger than `largest` taken to object space in float arithmetic by
+/// matrices of rounded entries: a few units in the last place of each term there, carried back.
+glm::dvec3 placementError(const InstanceRecord& instance, const glm::dvec3& largest) {
+    constexpr double kRounding = 1.0 / (1 << 20);
+    glm::dvec3 inObject, inWorld;
+    for (int axis = 0; axis < 3; ++axis) {
+        const glm::dvec4 row = glm::abs(glm::dvec4(instance.objectFromWorld[axis]));
+        inObject[axis] = kRounding * (glm::dot(glm::dvec3(row), largest) + row.w);
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        inWorld[axis] = glm::dot(glm::abs(glm::dvec3(instance.worldFromObject[axis])), inObject);
+    }
+    return inWorld;
+}
+
 }  // namespace
 
 void makeTriangleRefs(std::span<const TriangleRecord> triangles, std::span<ItemRef> refs) {
@@ -41,27 +56,21 @@ void makeTriangleRefs(std::span<const TriangleRecord> triangles, std::span<ItemR
 }
 
 Bounds placedBounds(const InstanceRecord& instance, std::span<const Box> boxes) {
-    // Rounding of the transformed origin and direction is a few units in the last place of the largest term.
-    constexpr double kRounding = 1.0 / (1 << 20);
+    glm::dvec3 lo(1e300), hi(-1e300);
+    for (const Box& box : boxes) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const glm::dvec4 row(instance.worldFromObject[axis]);
+            const glm::dvec3 p = glm::dvec3(row) * glm::dvec3(box.lo), q = glm::dvec3(row) * glm::dvec3(box.hi);
+            const glm::dvec3 least = glm::min(p, q), most = glm::max(p, q);
+            lo[axis] = std::min(lo[axis], row.w + least.x + least.y + least.z);
+            hi[axis] = std::max(hi[axis], row.w + most.x + most.y + most.z);
+        }
+    }
+    const glm::dvec3 pad = placementError(instance, glm::max(glm::abs(lo), glm::abs(hi)));
     Bounds world;
     for (int axis = 0; axis < 3; ++axis) {
-        const vec4 row = instance.worldFromObject[axis];
-        double lo = 1e300, hi = -1e300, magnitude = 0;
-        for (const Box& box : boxes) {
-            double boxLo = row.w, boxHi = row.w, size = std::abs(row.w);
-            for (int a = 0; a < 3; ++a) {
-                const double p = double{row[a]} * box.lo[a], q = double{row[a]} * box.hi[a];
-                boxLo += std::min(p, q);
-                boxHi += std::max(p, q);
-                size += std::max(std::abs(p), std::abs(q));
-            }
-            lo = std::min(lo, boxLo);
-            hi = std::max(hi, boxHi);
-            magnitude = std::max(magnitude, size);
-        }
-        const double pad = magnitude * kRounding;
-        world.lo[axis] = clampCoordinate(static_cast<float>(lo - pad));
-        world.hi[axis] = clampCoordinate(static_cast<float>(hi + pad));
+        world.lo[axis] = clampCoordinate(static_cast<float>(lo[axis] - pad[axis]));
+        world.hi[axis] = clampCoordinate(static_cast<float>(hi[axis] + pad[axis]));
     }
     world.lo[3] = world.hi[3] = 0;
     return world;

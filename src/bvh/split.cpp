@@ -64,7 +64,7 @@ struct Cut {
     int axis = -1;
     std::uint32_t position = 0;
 
-    // Where areas vanish all costs are 0: then the more even cut keeps the tree shallow.
+    // Where areas vanish all costs are equal: then the more even cut keeps the tree shallow.
     [[nodiscard]] bool betterThan(const Cut& other) const {
         return cost < other.cost || (cost == other.cost && imbalance < other.imbalance);
     }

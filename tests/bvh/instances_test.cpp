@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "bvh/build.h"
+#include "bvh/item_refs.h"
 #include "check_tree.h"
 #include "rays.h"
 #include "soups.h"
@@ -124,6 +125,36 @@ TEST(BvhInstances, BoxesContainTheTrianglesWherePlaced) {
             }
         }
     }
+}
+
+TEST(BvhInstances, WorldBoxAllowsForTheRoundingOfBothMatrices) {
+    // Points that a float transformation carries into the object's box lie in its world box, though both matrices are
+    // rounded and no longer inverse to each other.
+    Random random(23);
+    const Box object{{-1, -0.5F, 2}, {1, 0.5F, 2.5F}};
+    std::size_t inside = 0;
+    for (int round = 0; round < 300; ++round) {
+        glm::dmat4 m = glm::translate(glm::dmat4(1), 100.0 * glm::dvec3(random.vec()));
+        m = glm::rotate(m, 3.0 * random(), glm::normalize(glm::dvec3(random.vec())));
+        m = glm::scale(m, glm::dvec3(0.7));
+        const InstanceRecord instance = placed(m, 0);
+        const Bounds world = placedBounds(instance, {&object, 1});
+        for (int k = 0; k < 64; ++k) {
+            glm::dvec3 p;
+            for (int axis = 0; axis < 3; ++axis) p[axis] = (k >> axis & 1) != 0 ? object.hi[axis] : object.lo[axis];
+            const vec3 x = vec3(m * glm::dvec4(p, 1)) + 1e-5F * random.vec();
+            bool met = true, contained = true;
+            for (int axis = 0; axis < 3; ++axis) {
+                const vec4& row = instance.objectFromWorld[axis];
+                const float q = row.x * x.x + row.y * x.y + row.z * x.z + row.w;
+                met = met && q >= object.lo[axis] && q <= object.hi[axis];
+                contained = contained && x[axis] >= world.lo[axis] && x[axis] <= world.hi[axis];
+            }
+            EXPECT_TRUE(contained || !met);
+            inside += met ? 1U : 0U;
+        }
+    }
+    EXPECT_GT(inside, 1000U);
 }
 
 TEST(BvhInstances, KeepsTheTopLevelWithinItsDepth) {

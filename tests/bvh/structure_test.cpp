@@ -127,6 +127,21 @@ TEST(BvhStructure, KeepsToTheDepthItIsGiven) {
     EXPECT_LE(bound.depth, 3U);
 }
 
+TEST(BvhStructure, StaysShallowWhereAllAreasVanish) {
+    Triangles line, copies = duplicates(1, 4096);
+    for (int i = 0; i < 4096; ++i) {
+        const auto x = static_cast<float>(i);
+        addTriangle(line, vec3(x, 0, 0), vec3(x + 1, 0, 0), vec3(x + 2, 0, 0));
+    }
+    for (const Triangles& triangles : {line, copies}) {
+        SceneArrays arrays = sceneOf(triangles);
+        BvhStats stats;
+        buildBvh(arrays, {}, &stats);
+        EXPECT_LE(stats.depth, 6U);  // 4 where every node is full
+        EXPECT_EQ(stats.balancedTrees, 0U);
+    }
+}
+
 TEST(BvhStructure, FiguresDescribeTheTree) {
     SceneArrays arrays = sceneOf(grid(100, 0.2F));
     BvhStats stats;
