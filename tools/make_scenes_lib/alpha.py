@@ -48,9 +48,9 @@ def alpha_modes():
     ball = g.mesh("ball", g.primitive(sphere(0.42, 40, 20), g.material("porcelain", (0.85, 0.84, 0.82), roughness=0.25)))
     nodes += [g.node("ball", mesh=ball, translation=(x, 0.42, -1.3)) for x in (-2.3, 0.0, 2.3)]
     ground = g.mesh("ground", g.primitive(floor(40), g.material("ground", (0.62, 0.58, 0.53), roughness=0.8)))
-    lamp = g.mesh("sky panel", g.primitive(quad((-6, 7, -4), (12, 0, 0), (0, 0, 10)), g.light_material("sky panel", (1.1, 1.3, 1.7))))
-    sun = g.light("sun", "directional", (1.0, 0.9, 0.76), 5.0, (2.2, 5.0, -4.2), target=(0, 0, 0))
-    wall = g.mesh("wall", g.primitive(quad((-40, 0, -7), (80, 0, 0), (0, 30, 0)), g.material("wall", (0.32, 0.36, 0.42), roughness=0.9)))
+    lamp = g.mesh("sky panel", g.primitive(quad((-6, 7, 2), (12, 0, 0), (0, 0, 8)), g.light_material("sky panel", (0.8, 1.0, 1.4))))
+    sun = g.light("sun", "directional", (1.0, 0.9, 0.76), 4.0, (2.2, 5.0, -4.2), target=(0, 0, 0))
+    wall = g.mesh("wall", g.primitive(quad((-40, 0, -12), (80, 0, 0), (0, 7, 0)), g.material("wall", (0.32, 0.36, 0.42), roughness=0.9)))
     g.scene("sheets", *nodes, g.node("ground", mesh=ground), g.node("wall", mesh=wall), g.node("sky panel", mesh=lamp), sun,
             g.perspective("camera", (0.0, 2.5, 7.4), (0, 0.72, 0.35), 32.0))
     e = Expectations("sheets of alpha one half, crossed once, twice, and by shadow rays")
@@ -123,7 +123,7 @@ def double_sided():
         return (r * math.cos(phi), w * math.sin(phi / 2), r * math.sin(phi))
 
     def bowl(v):
-        angle = math.pi * (0.5 + 0.44 * (1 - v))
+        angle = math.pi * (0.5 + 0.4995 * (1 - v))
         return (math.sin(angle) * 0.62 + 1e-5, 0.62 + 0.62 * math.cos(angle))
     band = g.mesh("band", g.primitive(patch(moebius, 160, 12), g.material("enamel", (0.85, 0.2, 0.12), roughness=0.25, doubleSided=True)))
     shape = lathe(bowl, 64, 24)
@@ -132,7 +132,7 @@ def double_sided():
     inside = g.mesh("inside only", g.primitive(shape.reversed(), g.material("inside only", teal, roughness=0.35)))
     outside = g.mesh("outside only", g.primitive(shape, g.material("outside only", (0.4, 0.42, 0.6), roughness=0.35)))
     ground = g.mesh("ground", g.primitive(floor(40), g.material("ground", (0.55, 0.52, 0.5), roughness=0.6)))
-    g.scene("band and bowls", g.node("band", mesh=band, translation=(0, 1.22, -0.7), rotation=axis_angle((1, 0, 0.25), 38)),
+    g.scene("band and bowls", g.node("band", mesh=band, translation=(0, 1.08, -0.9), rotation=axis_angle((1, 0, 0.25), 38)),
             g.node("both sides", mesh=both, translation=(-1.65, 0, 0.55)), g.node("inside only", mesh=inside, translation=(0, 0, 1.0)),
             g.node("outside only", mesh=outside, translation=(1.65, 0, 0.55)), g.node("ground", mesh=ground),
             g.perspective("camera", (0.0, 2.7, 6.6), (0, 0.86, 0), 31.0))

@@ -8,7 +8,7 @@ from .vec import add, cross, dot, normalize, scale, sub
 # ---- cornell_box: dimensions as measured at Cornell, in metres. ----
 
 WHITE, RED, GREEN = (0.73, 0.71, 0.68), (0.62, 0.062, 0.05), (0.13, 0.44, 0.09)
-LIGHT = (18.0, 12.6, 6.4)
+LIGHT = (44.0, 34.0, 23.0)
 WIDTH, HEIGHT, DEPTH = 0.5528, 0.5488, 0.5592
 SHORT = ((0.130, 0.065), (0.082, 0.225), (0.240, 0.272), (0.290, 0.114), 0.165)
 TALL = ((0.423, 0.247), (0.265, 0.296), (0.314, 0.456), (0.472, 0.406), 0.330)
@@ -59,12 +59,12 @@ def cornell_box():
     lamp = quad(add(light_corner, light_up), light_right, scale(light_up, -1.0))
     parts["light"] = (lamp, g.light_material("light", LIGHT))
     nodes = [g.node(name, mesh=g.mesh(name, g.primitive(shape, material))) for name, (shape, material) in parts.items()]
-    eye, target = (-0.0016, 0.273, 0.8), (-0.0016, 0.273, 0.0)
-    g.scene("cornell box", *nodes, g.perspective("camera", eye, target, 39.3, 1.0))
+    eye, target = (0.0, 0.2744, 0.8), (0.0, 0.2744, 0.0)
+    g.scene("cornell box", *nodes, g.perspective("camera", eye, target, 37.9, 1.0))
 
     e = Expectations("direct light on floor and walls by quadrature; colours bleed from the walls", "diffuse")
     e.parity_options("--max-depth", "5")
-    view = View(eye, target, (64, 64), degrees=39.3)
+    view = View(eye, target, (64, 64), degrees=37.9)
     r = e.render("direct light", view.size, "--max-depth", "1", spp=16)
     face = scale(light_up, -1.0)
     for base, point, normal, why in (
@@ -85,7 +85,7 @@ def cornell_box():
     r = e.render("global light", view.size, "--max-depth", "6", spp=32)
     r.increasing([view.around((0.05, HEIGHT, -0.05), 0.02, 0.01), view.around((0.1, 0.0, -0.03), 0.02)],
                  "the ceiling gets light at second hand, less than the floor")
-    r.max_below([0.0, 1.0, 0.3, 1.0], 3.0, "no pixel away from the lamp nears its radiance")
+    r.max_below([0.0, 1.0, 0.3, 1.0], 8.0, "no pixel away from the lamp nears its radiance")
     return g, e
 
 
@@ -97,7 +97,7 @@ LIGHT_X = (-4.2, -1.7, 1.0, 4.3)
 LIGHT_COLORS = ((1.0, 0.62, 0.38), (1.0, 0.83, 0.6), (0.72, 0.86, 1.0), (0.5, 0.68, 1.0))
 STEEL = (0.86, 0.85, 0.83)
 POWER = 12.0  # radiance x radius^2 of every lamp
-EYE, AIM, FOV = (0.0, 3.4, 17.0), (0.0, 1.95, 0.0), 27.0
+EYE, AIM, FOV = (0.0, 3.4, 17.0), (0.0, 2.4, 0.0), 27.0
 
 
 def mis_plates():
@@ -106,11 +106,11 @@ def mis_plates():
     nodes, planes = [], []
     lamps_middle = (0.0, 4.9, -2.2)
     for i, roughness in enumerate(PLATE_ROUGHNESS):
-        centre = (0.0, 0.55 + 0.33 * (3 - i) ** 1.35, 4.4 - 1.75 * (3 - i))
+        centre = (0.0, 0.12 + 0.4 * (3 - i) ** 1.3, 5.2 - 1.8 * (3 - i))
         normal = normalize(add(normalize(sub(EYE, centre)), normalize(sub(lamps_middle, centre))))
         back = normalize(cross((1, 0, 0), normal))  # up the plate
-        corner = sub(centre, add((5.2, 0, 0), scale(back, 0.62)))
-        plate = quad(corner, (10.4, 0, 0), scale(back, 1.24))
+        corner = sub(centre, add((5.2, 0, 0), scale(back, 0.8)))
+        plate = quad(corner, (10.4, 0, 0), scale(back, 1.6))
         material = g.material(f"steel, roughness {roughness:g}", STEEL, 1.0, roughness, doubleSided=True)
         nodes.append(g.node(f"plate {i}", mesh=g.mesh(f"plate {i}", g.primitive(plate, material))))
         planes.append((centre, normal, roughness))

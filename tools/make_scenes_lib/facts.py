@@ -33,17 +33,11 @@ class Render:
     def alpha_mean(self, rect, value, tolerance, why):
         self._fact("alpha_mean", why, rect=rect, value=value, tolerance=tolerance)
 
-    def regions_equal(self, rects, tolerance, why):
-        self._fact("regions_equal", why, rects=rects, tolerance=tolerance)
-
     def region_uniform(self, rect, tolerance, why):
         self._fact("region_uniform", why, rect=rect, tolerance=tolerance)
 
     def increasing(self, rects, why):
         self._fact("increasing", why, rects=rects)
-
-    def ratio(self, rect, to, value, tolerance, why):
-        self._fact("ratio", why, rect=rect, to=to, value=value, tolerance=tolerance)
 
     def mirror_symmetry(self, axis, tiles, tolerance, why):
         self._fact("mirror_symmetry", why, axis=axis, tiles=tiles, tolerance=tolerance)

@@ -51,7 +51,7 @@ def instances():
         kind = 2 if r < 1.3 else (0, 3, 0, 1, 0, 3, 0, 0, 4, 0, 3, 1, 0)[ring]
         nodes.append(g.node(mesh=kinds[kind], translation=place, rotation=turn, scale=(width, height, width * 0.85)))
     ground = g.mesh("ground", g.primitive(floor(80), g.material("ground", (0.1, 0.105, 0.12), roughness=0.5)))
-    g.scene("field", *nodes, g.node("ground", mesh=ground), g.perspective("camera", (0, 6.6, 10.6), (0, 0.1, 0.45), 36.0))
+    g.scene("field", *nodes, g.node("ground", mesh=ground), g.perspective("camera", (0, 6.9, 9.4), (0, 0.0, 0.75), 36.0))
 
     material = ((0.9, 0.6, 0.4), 0.5, 0.5)
     ball = g.mesh("ball", g.primitive(sphere(1.0, 96, 48), g.material("measured", *material)))
@@ -104,7 +104,7 @@ def orthographic():
             if int(noise * 89) % 11 == 0:
                 nodes.append(g.node(mesh=ball, translation=(i * 0.96, heights[level] + 0.3, j * 0.96)))
     ground = g.mesh("ground", g.primitive(floor(60), g.material("ground", srgb("D8CFC0"), roughness=0.9)))
-    sky = g.mesh("sky panel", g.primitive(quad((-20, 26, -20), (40, 0, 0), (0, 0, 40)), g.light_material("sky panel", (0.8, 0.95, 1.2))))
+    sky = g.mesh("sky panel", g.primitive(quad((-30, 26, -44), (60, 0, 0), (0, 0, 46)), g.light_material("sky panel", (0.8, 0.95, 1.2))))
     g.scene("town", *nodes, g.node("ground", mesh=ground), g.node("sky panel", mesh=sky),
             g.light("sun", "directional", (1, 0.88, 0.7), 3.6, (-2.0, 6.2, 4.2), target=(0, 0, 0)),
             g.orthographic("isometric", (12, 9.8, 12), (0, 0.5, 0), 5.2 * 16 / 9, 5.2))
@@ -144,6 +144,17 @@ def _ground_color(p, n):
     return lerp(color, srgb("7B6D60"), steep)
 
 
+def _sky(g):
+    """Glow along the horizon and a blue cap; the sun shines through the gap between them."""
+    def band(low, high):
+        def surface(u, v):
+            phi, up = -2 * math.pi * u, math.radians(low + (high - low) * v)
+            return (58 * math.sin(phi) * math.cos(up), 58 * math.sin(up), 58 * math.cos(phi) * math.cos(up))
+        return patch(surface, 32, 4)
+    return g.mesh("sky", g.primitive(band(-1, 24), g.light_material("horizon", (0.62, 0.6, 0.62))),
+                  g.primitive(band(48, 89), g.light_material("zenith", (0.2, 0.34, 0.6))))
+
+
 def vertex_attributes():
     """An island painted by vertex colours. Scene 1 measures each type of COLOR_0, and TEXCOORD_1."""
     g = Gltf()
@@ -152,8 +163,8 @@ def vertex_attributes():
     paint = [tuple(round(255 * c) for c in _ground_color(p, n)) + (255,) for p, n in zip(island.positions, island.normals)]
     land = g.mesh("island", g.primitive(island, g.material("land", roughness=0.85), (UNSIGNED_BYTE, paint)))
     sea = g.mesh("sea", g.primitive(floor(60), g.material("sea", srgb("1E5C73"), roughness=0.12)))
-    g.scene("island", g.node("island", mesh=land), g.node("sea", mesh=sea), g.light("sun", "directional", (1, 0.86, 0.66), 3.4, (4.5, 3.4, 2.2), target=(0, 0, 0)),
-            g.perspective("camera", (0.6, 2.55, 6.4), (0, 0.28, 0), 34.0))
+    g.scene("island", g.node("island", mesh=land), g.node("sea", mesh=sea), g.node("sky", mesh=_sky(g)), g.light("sun", "directional", (1, 0.86, 0.66), 3.4, (4.5, 3.4, 2.2), target=(0, 0, 0)),
+            g.perspective("camera", (0.6, 1.7, 6.6), (0, 0.5, 0), 32.0))
 
     factor = (0.9, 0.7, 0.5)
     tile = quad((-0.45, -0.45, 0), (0.9, 0, 0), (0, 0.9, 0))

@@ -114,6 +114,7 @@ def emissive_texture():
             g.node("left pillar", mesh=pillar, translation=(-1.85, 1.7, -1.55)), g.node("right pillar", mesh=pillar, translation=(1.85, 1.7, -1.55)),
             g.node("beam", mesh=beam, translation=(0, 3.0, -1.55)), g.node("sill", mesh=beam, translation=(0, 0.1, -1.55)),
             g.node("pearl", mesh=pearl, translation=(-0.95, 0.38, 0.6)), g.node("steel", mesh=steel, translation=(0.9, 0.3, 0.95)),
+            g.light("moon", "directional", (0.55, 0.7, 1.0), 0.12, (2.5, 4, 3), target=(0, 0, 0)),
             g.perspective("camera", (0.9, 1.5, 6.2), (0, 1.22, -0.8), 36.0))
 
     base = (0.8, 0.75, 0.7)

@@ -123,7 +123,7 @@ def negative_scale():
     """A shell and its mirror image by a negative scale: everything must mirror, the normal map included."""
     g = Gltf()
     ribs = g.texture("ribs", from_height(64, lambda u, v: 0.05 * abs(math.sin(2 * math.pi * (v + 0.25 * math.sin(2 * math.pi * u)))) ** 0.7, 1.0))
-    glaze = Picture(64, 64, 3, lambda u, v: tuple(a + (b - a) * (0.5 + 0.5 * math.sin(2 * math.pi * (2 * v + 0.7 * u))) ** 3
+    glaze = Picture(64, 64, 3, lambda u, v: tuple(a + (b - a) * (0.5 + 0.5 * math.sin(2 * math.pi * (2 * v + u))) ** 3
                                                     for a, b in zip((0.97, 0.9, 0.8), (0.75, 0.36, 0.26))))
     body = patch(shell(), 40, 200).with_uv(lambda u, v: (u, 10 * v * (1.4 - 0.4 * v)))
     pearl = g.material("pearl", roughness=0.3, texture=g.texture_use(g.texture("glaze", glaze)), normal=g.texture_use(ribs, scale=0.7), doubleSided=True)

@@ -8,7 +8,7 @@ from .measure import View, directional, meet_sphere
 from .shapes import floor, rounded_box, sphere
 from .vec import add, dot, lerp, scale, sub
 
-GOLD = (1.0, 0.71, 0.29)
+GOLD = (0.94, 0.5, 0.2)
 
 
 # ---- furnace ----
@@ -83,7 +83,7 @@ def material_grid():
             measured.append(g.node(name, mesh=mesh, translation=centre))
             placed.append((centre, (GOLD, metallic, roughness)))
     picture.append(g.node("ground", mesh=ground))
-    picture.append(g.perspective("camera", (0.0, 4.9, 8.6), (0, 0.86, -1.6), 27.5))
+    picture.append(g.perspective("camera", (0.0, 4.9, 8.6), (0, 0.86, -1.6), 26.0))
     g.scene("grid", *picture)
     toward = (0.6, 0.7, 0.4)
     sun = g.light("sun", "directional", (1, 1, 1), 3, (0, 0, 0), target=scale(toward, -1.0))

@@ -20,7 +20,7 @@ def chart(size):
         if 0.34 < u < 0.44 and 0.2 < v < 0.8 or 0.34 < u < 0.72 and 0.2 < v < 0.3 or 0.34 < u < 0.62 and 0.45 < v < 0.55:
             return CREAM
         odd = (int(u * 4) + int(v * 4)) % 2
-        return hue(0.02 + 0.62 * (0.65 * u + 0.35 * v), 0.62 if odd else 0.42, 0.86 if odd else 0.97)
+        return hue(0.02 + 0.62 * (0.65 * u + 0.35 * v), 0.66 if odd else 0.5, 0.72 if odd else 0.88)
     return Picture(size, size, 3, paint)
 
 
@@ -53,7 +53,7 @@ class Gallery:
                                           g.material("wall", (0.45, 0.47, 0.5), 0.0, 0.9)))
         ground = g.mesh("ground", g.primitive(floor(20, -tall / 2 - 0.35),
                                               g.material("ground", (0.26, 0.22, 0.19), 0.0, 0.4)))
-        eye, aim = (-0.36 * wide, 0.12, 1.62 * tall), (0, -0.12, 0)
+        eye, aim = (-0.27 * wide, 0.2, 1.13 * wide), (-0.04 * wide, -0.06, 0)
         g.scene("gallery", *self.lit, g.node("wall", mesh=wall), g.node("ground", mesh=ground),
                 g.perspective("camera", eye, aim, 37.0))
         size = (32 * self.columns, 32 * self.rows)
