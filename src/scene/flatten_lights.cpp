@@ -109,8 +109,9 @@ double punctualPower(const PunctualLight& light, double radius) {
         case PunctualKind::Point:
             return 4 * kPiDouble * intensity;
         case PunctualKind::Spot: {
-            const double cosines = std::cos(double{light.innerConeAngle}) + std::cos(double{light.outerConeAngle});
-            return 2 * kPiDouble * (1 - cosines / 2) * intensity;
+            // The squared ramp between the cones lets a third of its solid angle's light through.
+            const double cosines = 2 * std::cos(double{light.innerConeAngle}) + std::cos(double{light.outerConeAngle});
+            return 2 * kPiDouble * (1 - cosines / 3) * intensity;
         }
         case PunctualKind::Directional:
             return kPiDouble * radius * radius * intensity;
