@@ -41,13 +41,19 @@ bool testTriangle(inout Traversal s, uint slot, uint instance, AlphaKey key) {
     return true;
 }
 
+vec3 transformPoint(vec4 rows[3], vec3 p) {
+    return vec3(dot(rows[0], vec4(p, 1.0)), dot(rows[1], vec4(p, 1.0)), dot(rows[2], vec4(p, 1.0)));
+}
+vec3 transformVector(vec4 rows[3], vec3 v) { return vec3(dot(rows[0].xyz, v), dot(rows[1].xyz, v), dot(rows[2].xyz, v)); }
+
 void setRay(inout Traversal s, vec3 origin, vec3 d) {
     s.slab = makeSlabRay(origin, d);
     s.sheared = shearRay(origin, d);
 }
 
 // Walks the tree. Finds the closest hit in 0 < t < tMax (a hit at tMax itself does not count), or with
-// `anyHit` stops at the first. slot is kNone where nothing is met.
+// `anyHit` stops at the first. slot is kNone where nothing is met. One loop, each round a node or an item: where
+// invocations run in lockstep an inner loop over items would wait for the longest list at every node.
 Hit traverse(vec3 origin, vec3 d, float tMax, AlphaKey key, bool anyHit) {
     Traversal s;
     s.hit = Hit(tMax, 0.0, 0.0, kNone, 0u, 0u);
@@ -55,57 +61,46 @@ Hit traverse(vec3 origin, vec3 d, float tMax, AlphaKey key, bool anyHit) {
     uvec2 stack[kStackSize];
     uint depth = 0u, meshDepth = 0u, instance = 0u;
     bool inMesh = kHasInstances == 0u;
-    uvec2 nodes = uvec2(scene.rootNode, 0x80000000u);
-    uvec2 items = uvec2(0u);
+    uvec2 nodes = uvec2(scene.rootNode, 0x80000000u);   // first child, bits of the children still to visit
+    uvec2 items = uvec2(0u);                            // first item, bits of the items still to test
     for (;;) {
-        if (nodes.y > 0x00ffffffu) {
-            uint bit = uint(findMSB(nodes.y));
-            uint slot = (bit - 24u) ^ s.slab.octant;
-            uint rank = bitCount(nodes.y & ((1u << slot) - 1u) & 0xffu);
-            uint node = nodes.x + rank;
+        if (items.y == 0u && nodes.y > 0x00ffffffu) {
+            uint bit = uint(findMSB(nodes.y)), slot = (bit - 24u) ^ s.slab.octant;
+            uint node = nodes.x + bitCount(nodes.y & ((1u << slot) - 1u) & 0xffu);
             nodes.y &= ~(1u << bit);
             if (nodes.y > 0x00ffffffu) stack[depth++] = nodes;
             WideNode n = loadNode(node);
             uint hits = intersectNode(s.slab, n, s.hit.t);
             nodes = uvec2(n.childBase, (hits & 0xff000000u) | (n.exponents >> 24u));
             items = uvec2(n.itemBase, hits & 0x00ffffffu);
-        } else {
-            items = nodes;
-            nodes = uvec2(0u);
         }
-        while (items.y != 0u) {
-            uint bit = uint(findLSB(items.y));
+        if (items.y != 0u) {
+            uint item = items.x + uint(findLSB(items.y));
             items.y &= items.y - 1u;
-            uint item = items.x + bit;
             if (inMesh) {
-                if (testTriangle(s, item, instance, key) && anyHit) {
-                    items.y = 0u;
-                    nodes.y = 0u;
-                    depth = 0u;
-                }
+                if (testTriangle(s, item, instance, key) && anyHit) break;
             } else {
-                if (items.y != 0u) stack[depth++] = items;   // what is left of this group comes after the mesh
                 if (nodes.y > 0x00ffffffu) stack[depth++] = nodes;
+                if (items.y != 0u) stack[depth++] = items;   // the group's other instances come after this one
                 InstanceRecord r = loadInstance(item);
-                setRay(s, vec3(dot(r.objectFromWorld[0], vec4(origin, 1.0)), dot(r.objectFromWorld[1], vec4(origin, 1.0)),
-                               dot(r.objectFromWorld[2], vec4(origin, 1.0))),
-                       vec3(dot(r.objectFromWorld[0].xyz, d), dot(r.objectFromWorld[1].xyz, d),
-                            dot(r.objectFromWorld[2].xyz, d)));
+                setRay(s, transformPoint(r.objectFromWorld, origin), transformVector(r.objectFromWorld, d));
                 instance = item;
                 inMesh = true;
                 meshDepth = depth;
                 nodes = uvec2(r.rootNode, 0x80000000u);
-                break;
+                items = uvec2(0u);
             }
         }
-        if (nodes.y <= 0x00ffffffu) {
+        if (items.y == 0u && nodes.y <= 0x00ffffffu) {
             if (kHasInstances != 0u && inMesh && depth == meshDepth) {
                 inMesh = false;
                 instance = 0u;
                 setRay(s, origin, d);
             }
             if (depth == 0u) break;
-            nodes = stack[--depth];
+            uvec2 top = stack[--depth];
+            if (top.y > 0x00ffffffu) nodes = top;
+            else items = top;
         }
     }
     return s.hit;

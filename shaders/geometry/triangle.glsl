@@ -35,6 +35,6 @@ vec4 intersectTriangle(ShearedRay ray, vec3 v0, vec3 v1, vec3 v2) {
     float det = u + v + w;
     if (!inside || det == 0.0) return vec4(0.0);
     float inverse = 1.0 / det;
-    float t = (u * a.z + v * b.z + w * c.z) * ray.shear.z * inverse;
+    float t = (u * (ray.shear.z * a.z) + v * (ray.shear.z * b.z) + w * (ray.shear.z * c.z)) * inverse;
     return vec4(t, u * inverse, v * inverse, det > 0.0 ? 1.0 : -1.0);
 }

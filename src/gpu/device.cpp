@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "base/error.h"
+#include "gpu/flush_denormals.h"
 #include "gpu/instance.h"
 #include "gpu/pipeline_cache.h"
 
@@ -50,6 +51,7 @@ void Device::createDevice() {
     info.pQueueCreateInfos = &queue;
     info.enabledExtensionCount = hasExtension(physical_, portability) ? 1 : 0;
     info.ppEnabledExtensionNames = &portability;
+    const FlushDenormals flush;  // the driver may start threads
     check(vkCreateDevice(physical_, &info, nullptr, &device_), fmt::format("open device '{}'", info_.name));
 }
 

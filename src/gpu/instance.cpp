@@ -8,6 +8,7 @@
 #include <mutex>
 
 #include "base/error.h"
+#include "gpu/flush_denormals.h"
 #include "gpu/requirements.h"
 
 namespace vkpt {
@@ -111,6 +112,7 @@ void Instance::create(const InstanceOptions& options) {
         info.enabledLayerCount = 1;
         info.ppEnabledLayerNames = &kValidationLayer;
     }
+    const FlushDenormals flush;  // the driver may start threads
     const VkResult result = vkCreateInstance(&info, nullptr, &instance_);
     if (result == VK_ERROR_INCOMPATIBLE_DRIVER) throwNoDriver();
     check(result, "create the instance");
@@ -131,6 +133,7 @@ Instance::~Instance() {
 
 std::vector<VkPhysicalDevice> Instance::physicalDevices() const {
     std::uint32_t count = 0;
+    const FlushDenormals flush;  // the driver may start threads
     const VkResult result = vkEnumeratePhysicalDevices(instance_, &count, nullptr);
     if (result == VK_ERROR_INITIALIZATION_FAILED || (result == VK_SUCCESS && count == 0)) throwNoDriver();
     check(result, "list devices");
