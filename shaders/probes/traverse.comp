@@ -14,8 +14,13 @@ void main() {
     if (isIdle()) return;
     vec4 origin = inputFloat(0u), direction = inputFloat(1u);
     AlphaKey key = AlphaKey(inputWord(1u).w);
-    Hit hit = traverse(origin.xyz, direction.xyz, origin.w, key, false);
-    Hit any = traverse(origin.xyz, direction.xyz, origin.w, key, true);
+    Hit hit;
+    bool found;
+    for (uint any = 0u; any < 2u; ++any) {   // one copy of the walk to compile
+        Hit met = traverse(origin.xyz, direction.xyz, origin.w, key, any != 0u);
+        if (any == 0u) hit = met;
+        found = met.slot != kNone;
+    }
     putWord(0u, uvec4(floatBitsToUint(hit.t), hit.slot, floatBitsToUint(vec2(hit.b1, hit.b2))));
-    putWord(1u, uvec4(hit.instance, any.slot != kNone ? 1u : 0u, 0u, 0u));
+    putWord(1u, uvec4(hit.instance, found ? 1u : 0u, 0u, 0u));
 }
