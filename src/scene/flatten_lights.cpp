@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 #include "base/math.h"
 #include "scene/sampling_table.h"
@@ -33,24 +34,36 @@ double triangleArea(const TriangleRecord& t) {
     return 0.5 * glm::length(glm::cross(glm::dvec3(t.v1) - glm::dvec3(t.v0), glm::dvec3(t.v2) - glm::dvec3(t.v0)));
 }
 
+/// By index of the TextureRecord: each belongs to one material, and so to one factor.
+using EmissiveTextures = std::unordered_map<std::uint32_t, EmissiveTexture>;
+
+EmissiveTextures prepareTextures(const SceneArrays& arrays) {
+    EmissiveTextures prepared;
+    for (const MaterialRecord& m : arrays.materials)
+        if (m.emissiveTexture != kNone && m.emissive != glm::vec3(0))
+            prepared.try_emplace(m.emissiveTexture, arrays, arrays.textures[m.emissiveTexture], m.emissive);
+    return prepared;
+}
+
 /// Flux of a Lambertian emitter, pi x area x luminance a side; 0 where the triangle is to have no light.
-double trianglePower(const SceneArrays& arrays, const TriangleRecord& triangle) {
+double trianglePower(const SceneArrays& arrays, const EmissiveTextures& textures, const TriangleRecord& triangle) {
     const MaterialRecord& material = arrays.materials[triangle.flags >> kTriangleMaterialShift];
     if (material.emissive == glm::vec3(0) || (triangle.flags & kTriangleHasAlpha) != 0) return 0;
     float mean = luminance(material.emissive);
     if (material.emissiveTexture != kNone) {
         const TextureRecord& texture = arrays.textures[material.emissiveTexture];
         const bool second = (texture.flags & kTextureUv1) != 0;
-        mean = meanEmission(arrays, texture, material.emissive, triangleUv(arrays, triangle, second));
+        mean = textures.at(material.emissiveTexture).mean(triangleUv(arrays, triangle, second));
     }
     const double sides = (triangle.flags & kTriangleSingleSided) != 0 ? 1 : 2;
     return sides * kPiDouble * triangleArea(triangle) * static_cast<double>(mean);
 }
 
 void addTriangleLights(SceneArrays& arrays) {
+    const EmissiveTextures textures = prepareTextures(arrays);
     std::vector<double> power(arrays.triangles.size());
     tbb::parallel_for(std::size_t{0}, power.size(),
-                      [&](std::size_t i) { power[i] = trianglePower(arrays, arrays.triangles[i]); });
+                      [&](std::size_t i) { power[i] = trianglePower(arrays, textures, arrays.triangles[i]); });
     std::vector<std::uint32_t> emitters;
     for (std::uint32_t i = 0; i < power.size(); ++i) {
         if (power[i] > 0 && std::isfinite(power[i])) emitters.push_back(i);

@@ -163,8 +163,8 @@ TEST(TexturedLights, MeanDecodesSrgbBeforeAveraging) {
     t.rowU = {1, 0, 0, 0};
     t.rowV = {0, 1, 0, 0};
     // Both halves of the whole square: the mean of all texels.
-    const float lower = meanEmission(a, t, glm::vec3(1), {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(1, 1)});
-    const float upper = meanEmission(a, t, glm::vec3(1), {glm::vec2(0, 0), glm::vec2(1, 1), glm::vec2(0, 1)});
+    const float lower = EmissiveTexture(a, t, glm::vec3(1)).mean({glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(1, 1)});
+    const float upper = EmissiveTexture(a, t, glm::vec3(1)).mean({glm::vec2(0, 0), glm::vec2(1, 1), glm::vec2(0, 1)});
     EXPECT_NEAR((lower + upper) / 2, (0 + 1 + 2 * srgbToLinear(128 / 255.0F)) / 4, 0.02);
 }
 
@@ -178,7 +178,7 @@ TEST(TexturedLights, WrapModesReachTheRightTexel) {
     const auto lit = [&](float u, std::uint32_t wrap) {
         t.flags = kTextureNearest | wrap << kTextureWrapSShift;
         const glm::vec2 p(u, 0.5F);
-        return meanEmission(a, t, glm::vec3(1), {p, p, p}) > 0.9F;
+        return EmissiveTexture(a, t, glm::vec3(1)).mean({p, p, p}) > 0.9F;
     };
     EXPECT_TRUE(lit(-0.1F, kWrapRepeat));
     EXPECT_FALSE(lit(-0.1F, kWrapClamp));
