@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <memory>
+#include <new>
+#include <utility>
 
 #include "base/error.h"
 #include "film/encode.h"
@@ -42,24 +44,35 @@ void check(int result) {
         throw Error(ExitCode::Internal, std::string("the PNG encoder failed: ") + spng_strerror(result));
 }
 
-/// UTF-8 text chunks. `metadata` must outlive the encoding: libspng keeps pointers.
-void setText(spng_ctx* context, ImageMetadata& metadata) {
-    std::string empty;
-    std::vector<spng_text> chunks;
-    for (auto& [key, value] : metadata) {
-        spng_text text{};
-        key.copy(text.keyword, sizeof(text.keyword) - 1);
-        text.type = SPNG_ITXT;
-        text.length = value.size();
-        text.text = value.data();
-        text.language_tag = empty.data();
-        text.translated_keyword = empty.data();
-        chunks.push_back(text);
+/// UTF-8 text chunks as libspng takes them. It keeps the pointers: this must outlive the encoding.
+class TextChunks {
+public:
+    explicit TextChunks(ImageMetadata metadata) : metadata_(std::move(metadata)) {
+        for (auto& [key, value] : metadata_) {
+            spng_text text{};
+            key.copy(text.keyword, sizeof(text.keyword) - 1);
+            text.type = SPNG_ITXT;
+            text.length = value.size();
+            text.text = value.data();
+            text.language_tag = text.translated_keyword = empty_.data();
+            chunks_.push_back(text);
+        }
     }
-    if (!chunks.empty()) check(spng_set_text(context, chunks.data(), static_cast<std::uint32_t>(chunks.size())));
-}
+    TextChunks(const TextChunks&) = delete;
+    TextChunks& operator=(const TextChunks&) = delete;
 
-Bytes encode16(const Image& display, ImageMetadata metadata) {
+    void set(spng_ctx* context) {
+        if (!chunks_.empty()) check(spng_set_text(context, chunks_.data(), static_cast<std::uint32_t>(chunks_.size())));
+    }
+
+private:
+    ImageMetadata metadata_;
+    std::string empty_;
+    std::vector<spng_text> chunks_;
+};
+
+Bytes encode16(const Image& display, const ImageMetadata& metadata) {
+    TextChunks texts(metadata);
     const std::vector<std::uint16_t> values = quantise<std::uint16_t>(display.pixels, 65535.0F);
     const std::unique_ptr<spng_ctx, void (*)(spng_ctx*)> context(spng_ctx_new(SPNG_CTX_ENCODER), spng_ctx_free);
     if (!context) throw std::bad_alloc();
@@ -71,7 +84,7 @@ Bytes encode16(const Image& display, ImageMetadata metadata) {
     header.color_type = display.channels == 4 ? SPNG_COLOR_TYPE_TRUECOLOR_ALPHA : SPNG_COLOR_TYPE_TRUECOLOR;
     check(spng_set_ihdr(context.get(), &header));
     check(spng_set_srgb(context.get(), 0));  // perceptual intent
-    setText(context.get(), metadata);
+    texts.set(context.get());
     check(spng_encode_image(context.get(), values.data(), values.size() * sizeof(values[0]), SPNG_FMT_PNG,
                             SPNG_ENCODE_FINALIZE));
     std::size_t size = 0;
