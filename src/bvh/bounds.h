@@ -48,8 +48,7 @@ struct ItemRef {
     Float4 lo, hi;
 
     ItemRef() = default;
-    // Adding zero turns -0 into +0: the minimum of both must not depend on the order.
-    ItemRef(const Bounds& box, std::uint32_t index) : lo(box.lo + 0.0F), hi(box.hi + 0.0F) {
+    ItemRef(const Bounds& box, std::uint32_t index) : lo(box.lo), hi(box.hi) {
         lo[3] = std::bit_cast<float>(index + kIndexBias);
         hi[3] = 0;
     }

@@ -33,6 +33,7 @@ public:
     [[nodiscard]] std::span<BinaryNode> nodes(std::size_t tree) { return {nodes_.get() + first_[tree], counts_[tree]}; }
     [[nodiscard]] const TreeSummary& summary(std::size_t tree) const { return summaries_[tree]; }
     [[nodiscard]] std::size_t trees() const { return counts_.size(); }
+    [[nodiscard]] std::size_t items() const { return total_; }
     [[nodiscard]] std::size_t bytes() const { return total_ * (sizeof(ItemRef) + sizeof(BinaryNode)); }
 
     void build(std::size_t tree, const TreeCosts& costs) {
@@ -148,13 +149,11 @@ private:
     }
 
     static void noteMemory(const Forests& meshes, const Forests& top, BvhStats& stats) {
-        std::size_t triangles = 0;
         for (std::size_t m = 0; m < meshes.trees(); ++m) {
             stats.balancedTrees += meshes.summary(m).balanced ? 1U : 0U;
         }
-        triangles = meshes.bytes() / (sizeof(ItemRef) + sizeof(BinaryNode));
         if (top.trees() != 0 && top.summary(0).balanced) ++stats.balancedTrees;
-        const std::size_t order = triangles * sizeof(std::uint32_t);
+        const std::size_t triangles = meshes.items(), order = triangles * sizeof(std::uint32_t);
         stats.temporaryBytes =
             std::max(meshes.bytes() + top.bytes() + order, order + triangles * sizeof(TriangleRecord));
     }

@@ -18,7 +18,7 @@ struct WideSlot {
 
 /// A slot for each child (at most 8), so that slot ^ octant orders them roughly front to back for rays of any octant:
 /// minimises the sum of the children's distances along their slots' diagonals. [Ylitie 17] assign by auction; here a
-/// greedy choice is improved by exchanges, which comes within a percent of it for a fraction of the time.
+/// greedy choice is improved by exchanges, which comes within two percent of the best.
 [[nodiscard]] std::array<std::uint8_t, kWideNodeSlots> assignSlots(std::span<const Bounds> children);
 
 /// Encodes a node; the decoded boxes contain slots[].box exactly (see wide_node.h). All slots may be empty.

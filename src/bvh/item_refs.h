@@ -9,7 +9,7 @@
 namespace vkpt {
 
 /// One ItemRef a triangle, indexed from 0. The boxes are exact. A triangle that cannot be met, since a corner is not
-/// finite or beyond kMaxCoordinate, gets the point nearest to the origin that its first corner allows.
+/// finite or beyond kMaxCoordinate, counts as the point v0, or as the origin where v0 itself is at fault.
 void makeTriangleRefs(std::span<const TriangleRecord> triangles, std::span<ItemRef> refs);
 
 /// World box of `boxes` of object space placed by `instance`, widened by the rounding of both its matrices: a ray
