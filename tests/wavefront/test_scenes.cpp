@@ -3,6 +3,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "bvh/build.h"
+#include "scene/environment.h"
 #include "wavefront/random_inputs.h"
 
 namespace vkpt {
@@ -149,6 +150,66 @@ Scene makeFoliage() {
                      makeTransform({0.3F * side, 0.2F, 0.4F * k + 0.1F}, 35 * k, {1, 1, 0.5F}, {1.5F, 0.8F, side})});
             }
     return scene;
+}
+
+SceneArrays makeEverything(bool instances) {
+    Scene scene = makeLamps();
+    Scene leaves = makeFoliage();
+    const auto firstMaterial = static_cast<std::uint32_t>(scene.materials.size());
+    const auto firstMesh = static_cast<std::uint32_t>(scene.meshes.size());
+    scene.images.push_back(leaves.images[0]);
+    for (Material& m : leaves.materials) {
+        if (m.baseColorTexture.image == 0) m.baseColorTexture.image = 1;
+        scene.materials.push_back(m);
+    }
+    for (Mesh& mesh : leaves.meshes) {
+        mesh.primitives[0].material += firstMaterial;
+        scene.meshes.push_back(mesh);
+    }
+    for (MeshInstance& instance : leaves.instances) {
+        instance.mesh += firstMesh;
+        instance.worldFromObject = makeTransform({0, 1, -2}, 0, {0, 1, 0}, glm::vec3(0.4F)) * instance.worldFromObject;
+        scene.instances.push_back(instance);
+    }
+    SceneArrays arrays = flatten(scene, {.instancing = instances, .instancingThreshold = 0});
+    EnvironmentMap map{8, 4, {}};
+    RandomInputs random(70);
+    for (int i = 0; i < 32; ++i) map.texels.push_back(random.inBox({0.1F, 0.1F, 0.1F}, {0.6F, 0.7F, 0.9F}));
+    addEnvironment(arrays, map, 1, 30);
+    buildBvh(arrays);
+    return arrays;
+}
+
+SceneArrays makeFurnace() {
+    Scene scene;
+    Material wall = makeMaterial({1, 1, 1}, 0, 1);
+    wall.emissive = {0.01F, 0.01F, 0.01F};
+    scene.materials.push_back(wall);
+    const float s = 8;
+    addObject(scene, makeQuad({-s, -s, -s}, {2 * s, 0, 0}, {0, 2 * s, 0}, 0));
+    addObject(scene, makeQuad({-s, -s, s}, {0, 2 * s, 0}, {2 * s, 0, 0}, 0));
+    addObject(scene, makeQuad({-s, -s, -s}, {0, 2 * s, 0}, {0, 0, 2 * s}, 0));
+    addObject(scene, makeQuad({s, -s, -s}, {0, 0, 2 * s}, {0, 2 * s, 0}, 0));
+    addObject(scene, makeQuad({-s, -s, -s}, {0, 0, 2 * s}, {2 * s, 0, 0}, 0));
+    addObject(scene, makeQuad({-s, s, -s}, {2 * s, 0, 0}, {0, 0, 2 * s}, 0));
+    return makeArrays(scene);
+}
+
+Primitive makeHeightfield(std::uint32_t n) {
+    Primitive p;
+    for (std::uint32_t j = 0; j <= n; ++j)
+        for (std::uint32_t i = 0; i <= n; ++i) {
+            const glm::vec2 at = glm::vec2(i, j) * (6 / static_cast<float>(n)) - 3.0F;
+            p.positions.push_back({at.x, 0.4F * std::sin(5 * at.x) * std::cos(4 * at.y), at.y});
+            p.normals.push_back({0, 1, 0});
+        }
+    for (std::uint32_t j = 0; j < n; ++j)
+        for (std::uint32_t i = 0; i < n; ++i) {
+            const std::uint32_t a = j * (n + 1) + i, b = a + n + 1;
+            p.triangles.push_back({a, b, a + 1});
+            p.triangles.push_back({a + 1, b, b + 1});
+        }
+    return p;
 }
 
 }  // namespace vkpt

@@ -44,4 +44,13 @@ void addObject(Scene& scene, Primitive primitive, const std::vector<glm::mat4>& 
 /// Patches among alpha of all sorts: MASK and BLEND, by factor, texture and vertex colour, single- and double-sided.
 [[nodiscard]] Scene makeFoliage();
 
+/// Lamps and foliage under a sky: every feature of the kernels but normal maps, and instances where they are asked for.
+[[nodiscard]] SceneArrays makeEverything(bool instances = false);
+
+/// A closed white box of 16 m that glows all over: no path ends before its last bounce, unless roulette ends it.
+[[nodiscard]] SceneArrays makeFurnace();
+
+/// 2 n^2 triangles over [-3,3]^2 in xz, with shading normals that point up.
+[[nodiscard]] Primitive makeHeightfield(std::uint32_t n);
+
 }  // namespace vkpt

@@ -1,0 +1,64 @@
+#include "wavefront/render_helpers.h"
+
+#include <cstdlib>
+#include <cstring>
+
+namespace vkpt {
+
+RenderOptions makeOptions(std::uint32_t width, std::uint32_t height, std::uint32_t samples) {
+    RenderOptions options;
+    RenderParams& p = options.params;
+    p.eye = {0.5F, 2, 5};
+    p.forward = glm::normalize(glm::vec3(-0.1F, -0.3F, -1));
+    p.right = glm::normalize(glm::cross(p.forward, {0, 1, 0})) *
+              (0.5F * static_cast<float>(width) / static_cast<float>(height));
+    p.up = glm::normalize(glm::cross(p.right, p.forward)) * 0.5F;
+    p.width = width;
+    p.height = height;
+    p.seed = 5;
+    p.spp = samples;
+    p.maxDepth = 5;
+    p.rrMode = kRouletteThroughput;
+    p.rrDepth = 3;
+    options.sampleEnd = samples;
+    return options;
+}
+
+WavefrontConfig makeConfig() {
+    WavefrontConfig config;
+    const char* device = getenv("VKPT_TEST_DEVICE");
+    config.device = device ? device : "";
+    config.validation = true;
+    return config;
+}
+
+Film renderWith(const SceneArrays& arrays, const RenderOptions& options, const WavefrontConfig& config,
+                WavefrontStats* statsOut, const RenderControl& control) {
+    WavefrontRenderer renderer(arrays, options, config);
+    WavefrontStats stats;
+    Film film = renderer.render(control, &stats);
+    EXPECT_EQ(stats.validationMessages, 0U);
+    EXPECT_EQ(film.refused, 0U);
+    if (statsOut) *statsOut = stats;
+    return film;
+}
+
+bool isSame(const Film& a, const Film& b) {
+    return a.width == b.width && a.height == b.height && a.sampleBegin == b.sampleBegin && a.sampleEnd == b.sampleEnd &&
+           a.sums.size() == b.sums.size() &&
+           std::memcmp(a.sums.data(), b.sums.data(), a.sums.size() * sizeof(FilmSums)) == 0;
+}
+
+double divergedShare(const Film& a, const Film& b) {
+    const Image x = filmToImage(a), y = filmToImage(b);
+    int diverged = 0;
+    for (std::size_t i = 0; i < x.pixels.size(); i += 4) {
+        bool differs = false;
+        for (std::size_t c = 0; c < 4; ++c)
+            differs |= std::abs(x.pixels[i + c] - y.pixels[i + c]) > 1e-3F * std::max(std::abs(y.pixels[i + c]), 1e-3F);
+        diverged += differs ? 1 : 0;
+    }
+    return 4.0 * diverged / static_cast<double>(x.pixels.size());
+}
+
+}  // namespace vkpt

@@ -1,0 +1,26 @@
+// Renders small films for tests, with the validation layers on.
+#pragma once
+#include <gtest/gtest.h>
+
+#include "wavefront/renderer.h"
+
+namespace vkpt {
+
+/// A camera before the lamps of makeLamps, 5 bounces, roulette after 3; samples [0, samples) of as many.
+[[nodiscard]] RenderOptions makeOptions(std::uint32_t width, std::uint32_t height, std::uint32_t samples);
+
+/// The device of VKPT_TEST_DEVICE, with validation.
+[[nodiscard]] WavefrontConfig makeConfig();
+
+/// Renders; fails the test where the validation layers speak or a contribution is refused.
+[[nodiscard]] Film renderWith(const SceneArrays& arrays, const RenderOptions& options,
+                              const WavefrontConfig& config = makeConfig(), WavefrontStats* stats = nullptr,
+                              const RenderControl& control = {});
+
+/// Equal to the bit, samples included.
+[[nodiscard]] bool isSame(const Film& a, const Film& b);
+
+/// Share of pixels of which a channel differs by more than 1e-3, relative.
+[[nodiscard]] double divergedShare(const Film& a, const Film& b);
+
+}  // namespace vkpt

@@ -1,0 +1,149 @@
+// The renderer end to end: what must not change the image does not, to the bit.
+#include "bvh/build.h"
+#include "reference/render.h"
+#include "wavefront/render_helpers.h"
+#include "wavefront/test_scenes.h"
+
+namespace vkpt {
+namespace {
+
+TEST(Renderer, FetchFormsGiveTheSameFilmToTheBit) {
+    for (const bool instances : {false, true}) {
+        const SceneArrays arrays = makeEverything(instances);
+        ASSERT_EQ(arrays.features.instances, instances);
+        const RenderOptions options = makeOptions(48, 32, 4);
+        WavefrontConfig config = makeConfig();
+        config.fetch = WavefrontConfig::Fetch::Texel;
+        const Film texel = renderWith(arrays, options, config);
+        config.fetch = WavefrontConfig::Fetch::Storage;
+        EXPECT_TRUE(isSame(texel, renderWith(arrays, options, config)));
+    }
+}
+
+TEST(Renderer, SlotsBatchesAndCompactionDoNotChangeTheFilm) {
+    const SceneArrays arrays = makeEverything();
+    const RenderOptions options = makeOptions(48, 32, 6);
+    WavefrontStats stats;
+    const Film film = renderWith(arrays, options, makeConfig(), &stats);
+    EXPECT_EQ(stats.batches, 1U);
+    EXPECT_EQ(stats.paths, 48U * 32 * 6);
+    for (const std::uint32_t paths : {64U, 1000U, 48U * 32 * 2, 5000U}) {
+        SCOPED_TRACE(paths);
+        WavefrontConfig config = makeConfig();
+        config.pathsInFlight = paths;
+        EXPECT_TRUE(isSame(film, renderWith(arrays, options, config, &stats)));
+        EXPECT_GT(stats.batches, 1U);
+        EXPECT_EQ(stats.paths, 48U * 32 * 6);
+    }
+    WavefrontConfig config = makeConfig();
+    config.ballot = false;
+    EXPECT_TRUE(isSame(film, renderWith(arrays, options, config)));
+    config.timings = true;
+    EXPECT_TRUE(isSame(film, renderWith(arrays, options, config)));
+}
+
+TEST(Renderer, RangesOfSamplesAddUpToTheWhole) {
+    const SceneArrays arrays = makeEverything();
+    for (const SamplerInfo& sampler : kSamplers) {
+        SCOPED_TRACE(sampler.name);
+        RenderOptions options = makeOptions(24, 20, 16);
+        options.sampler = sampler.id;
+        const Film whole = renderWith(arrays, options);
+        options.sampleEnd = 8;
+        Film sum = renderWith(arrays, options);
+        options.sampleBegin = 8;
+        options.sampleEnd = 16;
+        addFilm(sum, renderWith(arrays, options));
+        EXPECT_TRUE(isSame(sum, whole));
+    }
+}
+
+TEST(Renderer, RendersAgainWithTheSameResult) {
+    const SceneArrays arrays = makeEverything();
+    WavefrontRenderer renderer(arrays, makeOptions(24, 20, 4), makeConfig());
+    const Film first = renderer.render({});
+    EXPECT_TRUE(isSame(first, renderer.render({})));
+}
+
+TEST(Renderer, OneSampleEqualsReferenceAtEveryDepth) {
+    for (const bool instances : {false, true}) {
+        const SceneArrays arrays = makeEverything(instances);
+        for (const std::uint32_t depth : {0U, 1U, 2U, 40U}) {
+            SCOPED_TRACE(testing::Message() << "depth " << depth << (instances ? " with instances" : ""));
+            RenderOptions options = makeOptions(64, 48, 1);
+            options.params.maxDepth = depth;
+            options.params.rrMode = depth > 16 ? kRouletteOff : kRouletteThroughput;
+            const Film film = renderWith(arrays, options), reference = renderReference(arrays, options);
+            EXPECT_LE(divergedShare(film, reference), 0.01);
+            for (std::size_t i = 0; i < film.sums.size(); ++i)
+                ASSERT_EQ(film.sums[i].red.w, reference.sums[i].red.w) << "alpha of pixel " << i;
+        }
+    }
+}
+
+TEST(Renderer, DepthZeroIsEmissionAlone) {
+    SceneArrays arrays = makeArrays(makeLamps());
+    RenderOptions options = makeOptions(32, 24, 2);
+    options.params.maxDepth = 0;
+    WavefrontStats stats;
+    const Film film = renderWith(arrays, options, makeConfig(), &stats);
+    EXPECT_EQ(stats.shadowRays, 0U);
+    EXPECT_EQ(stats.pathRays, stats.paths);
+    int lit = 0, dark = 0;
+    for (const FilmSums& s : film.sums) (glm::uvec3(s.red) != glm::uvec3(0) ? lit : dark) += 1;
+    EXPECT_GT(lit, 5) << "no lamp is in view";
+    EXPECT_GT(dark, 400) << "the floor must not be lit";
+}
+
+TEST(Renderer, StopsBetweenPassesWithItsTrueSampleCount) {
+    const SceneArrays arrays = makeEverything();
+    RenderOptions options = makeOptions(24, 20, 12);
+    WavefrontConfig config = makeConfig();
+    config.pathsInFlight = 24 * 20 * 2;  // two samples a pass
+    std::atomic<bool> stop = false;
+    std::uint64_t last = 0;
+    RenderControl control;
+    control.stop = &stop;
+    control.progress = [&](std::uint64_t done, std::uint64_t total) {
+        EXPECT_EQ(total, 24U * 20 * 12);
+        EXPECT_GT(done, last);
+        last = done;
+        if (done >= 24U * 20 * 4) stop = true;
+    };
+    const Film stopped = renderWith(arrays, options, config, nullptr, control);
+    EXPECT_EQ(stopped.samples(), 4U);
+    options.sampleEnd = 4;
+    EXPECT_TRUE(isSame(stopped, renderWith(arrays, options)));
+    for (const FilmSums& s : stopped.sums) ASSERT_EQ(s.red.w, 4U);
+}
+
+TEST(Renderer, APastDeadlineStillGivesOnePass) {
+    const SceneArrays arrays = makeEverything();
+    RenderOptions options = makeOptions(24, 20, 12);
+    WavefrontConfig config = makeConfig();
+    config.pathsInFlight = 24 * 20;
+    RenderControl control;
+    control.deadline = std::chrono::steady_clock::now() - std::chrono::seconds(1);
+    const Film film = renderWith(arrays, options, config, nullptr, control);
+    EXPECT_EQ(film.samples(), 1U);
+    options.sampleEnd = 1;
+    EXPECT_TRUE(isSame(film, renderWith(arrays, options)));
+}
+
+TEST(Renderer, AnEmptySceneShowsItsBackground) {
+    SceneArrays arrays;
+    arrays.meshRanges = {{}};
+    buildBvh(arrays);
+    RenderOptions options = makeOptions(8, 4, 3);
+    options.params.backgroundMode = kBackgroundColor;
+    options.params.background = {0.25F, 0.5F, 1};
+    const Image image = filmToImage(renderWith(arrays, options));
+    for (std::size_t i = 0; i < image.pixels.size(); i += 4)
+        ASSERT_EQ(glm::vec4(image.pixels[i], image.pixels[i + 1], image.pixels[i + 2], image.pixels[i + 3]),
+                  glm::vec4(0.25F, 0.5F, 1, 1));
+    options.params.backgroundMode = kBackgroundTransparent;
+    for (const FilmSums& s : renderWith(arrays, options).sums) ASSERT_EQ(s.red, glm::uvec4(0));
+}
+
+}  // namespace
+}  // namespace vkpt
