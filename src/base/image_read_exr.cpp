@@ -20,8 +20,11 @@
 namespace vkpt {
 namespace {
 
-constexpr int kBandRows = 256;  // rows decoded at once: memory grows only as the file proves to hold pixels
-constexpr std::uint64_t kFreePixels = std::uint64_t{1} << 24U;
+// Decoded at once: memory grows only as the file proves to hold pixels.
+constexpr std::int64_t kBandRows = 256, kBandPixels = std::int64_t{1} << 20U;
+// Windows up to the first size need no proof; larger ones at least a byte for so many pixels (plain black under the
+// strongest compression takes more).
+constexpr std::uint64_t kFreePixels = std::uint64_t{1} << 24U, kPixelsPerByte = 8192;
 
 class MemoryStream : public Imf::IStream {
 public:
@@ -37,6 +40,7 @@ public:
     }
     std::uint64_t tellg() override { return next_; }
     void seekg(std::uint64_t position) override { next_ = position; }
+    [[nodiscard]] std::uint64_t size() const { return bytes_.size(); }
 
 private:
     std::span<const std::uint8_t> bytes_;
@@ -101,10 +105,10 @@ private:
     Image image_;
 };
 
-void checkWindows(const std::string& name, const Window& data, const Window& display) {
+void checkWindows(const std::string& name, const Window& data, const Window& display, std::uint64_t fileBytes) {
     const bool empty = data.width <= 0 || data.height <= 0 || display.width <= 0 || display.height <= 0;
-    if (empty || data.pixels() > kMostPixels || display.pixels() > kMostPixels ||
-        display.pixels() > std::max(kFreePixels, data.pixels() * 16)) {
+    if (empty || data.pixels() > std::min(kMostPixels, std::max(kFreePixels, fileBytes * kPixelsPerByte)) ||
+        display.pixels() > kMostPixels || display.pixels() > std::max(kFreePixels, data.pixels() * 16)) {
         throw FileError(name, "OpenEXR: the data or display window is empty or too large");
     }
 }
@@ -114,8 +118,9 @@ std::vector<float> readBands(Imf::InputPart& part, const Window& data, const std
     std::vector<float> pixels;
     const std::size_t stride = channels.size() * sizeof(float),
                       rowBytes = stride * static_cast<std::size_t>(data.width);
-    for (std::int64_t done = 0; done < data.height; done += kBandRows) {
-        const std::int64_t rows = std::min<std::int64_t>(kBandRows, data.height - done);
+    const std::int64_t bandRows = std::clamp<std::int64_t>(kBandPixels / data.width, 1, kBandRows);
+    for (std::int64_t done = 0; done < data.height; done += bandRows) {
+        const std::int64_t rows = std::min(bandRows, data.height - done);
         const std::size_t offset = pixels.size();
         pixels.resize(offset + rowBytes / sizeof(float) * static_cast<std::size_t>(rows));
         Imf::FrameBuffer target;
@@ -153,7 +158,7 @@ Image decode(const std::string& name, MemoryStream& stream) {
         throw FileError(name, "OpenEXR: deep images are not supported; flatten it");
     }
     const Window data(header.dataWindow()), display(header.displayWindow());
-    checkWindows(name, data, display);
+    checkWindows(name, data, display, stream.size());
     const bool chroma = header.channels().findChannel("RY") && header.channels().findChannel("BY");
     const std::vector<std::string> channels =
         chroma ? std::vector<std::string>{"R", "G", "B"} : pickChannels(name, header.channels());
