@@ -247,7 +247,9 @@ TEST(FlattenGeometry, AMillionTrianglesTakeWellUnderASecond) {
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
     EXPECT_GT(a.triangles.size(), 1'000'000U);
     RecordProperty("seconds", std::to_string(took.count()));
-    EXPECT_LT(took.count(), 3.0);  // a tenth of this on an idle machine
+#ifdef NDEBUG
+    EXPECT_LT(took.count(), 3.0);  // a tenth of this on an idle machine; unoptimised builds are not timed
+#endif
 }
 
 }  // namespace
