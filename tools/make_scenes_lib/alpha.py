@@ -78,8 +78,8 @@ def _half_sheets(g, e):
     g.scene("one half", *nodes, g.orthographic("front", (0, 0, 5), (0, 0, 0), 2.5, 1.0))
 
     view = View((0, 0, 5), (0, 0, 0), (80, 32), ymag=1.0)
-    areas = {x: view.around((x, 0, 0), 0.18, 0.35) for x, _ in layout}
-    r = e.render("half sheets", view.size, "--scene", "1", "--env", "2,2,2", "--max-depth", "3", "--background", "transparent", spp=32)
+    areas = {x: view.around((x, 0, 0), 0.2, 0.42) for x, _ in layout}
+    r = e.render("half sheets", view.size, "--scene", "1", "--env", "2,2,2", "--max-depth", "3", "--background", "transparent", spp=64)
     over = add(add(scale(red, 0.5), scale(blue, 0.25)), scale(white, 0.25))
     r.region_mean(areas[-2], over, 1e-4, "half red, then half blue, then white: 1/2, 1/4, 1/4")
     r.alpha_mean(areas[-2], 1.0, 1e-6, "the wall behind closes the view")
@@ -103,12 +103,12 @@ def _half_shadow(g, e):
     eye, aim = (0.0, 1.75, 5.0), (0.0, 0.0, 0.0)
     g.scene("half shadow", *nodes, lamp, g.orthographic("slanted", eye, aim, 1.5, 0.75))
     view = View(eye, aim, (48, 24), ymag=0.75)
-    r = e.render("half shadows", view.size, "--scene", "2", "--env", "none", "--max-depth", "1", spp=32)
+    r = e.render("half shadows", view.size, "--scene", "2", "--env", "none", "--max-depth", "1", spp=128)
     for x, share in ((0.5, 0.25), (1.1, 0.25), (-0.6, 1.0)):
         def radiance(origin, direction):
             p = meet_plane(origin, direction, (0, 0, 0), (0, 1, 0))
             return scale(point_light((base, 0.0, 1.0), p, (0, 1, 0), scale(direction, -1), (0, 2.0, 0), (6.0, 5.4, 4.8)), share)
-        rect = view.around((x, 0, 0), 0.1)
+        rect = view.around((x, 0, 0), 0.15)
         r.region_mean(rect, view.average(rect, radiance, 12), 0.002,
                       "shadow rays pass two half sheets one time in four" if share < 1 else "no sheet in the way of the light")
 

@@ -68,7 +68,7 @@ def cornell_box():
     r = e.render("direct light", view.size, "--max-depth", "1", spp=16)
     face = scale(light_up, -1.0)
     for base, point, normal, why in (
-            (WHITE, (-0.02, 0.0, -0.05), (0, 1, 0), "the floor in front of the blocks"),
+            (WHITE, (-0.17, 0.0, -0.05), (0, 1, 0), "the floor in front of the blocks"),
             (RED, (left, 0.3, -0.12), (1, 0, 0), "the red wall"),
             (GREEN, (right, 0.3, -0.12), (-1, 0, 0), "the green wall"),
             (WHITE, (0.15, 0.45, far), (0, 0, 1), "the back wall")):
@@ -83,7 +83,7 @@ def cornell_box():
     r = e.render("emission alone", view.size, "--max-depth", "0", spp=4)
     r.max_below([0.0, 1.0, 0.3, 1.0], 0.0, "nothing but the lamp emits")
     r = e.render("global light", view.size, "--max-depth", "6", spp=32)
-    r.increasing([view.around((0.05, HEIGHT, -0.05), 0.02, 0.01), view.around((0.1, 0.0, -0.03), 0.02)],
+    r.increasing([view.around((0.05, HEIGHT, -0.05), 0.02, 0.01), view.around((-0.17, 0.0, -0.05), 0.02)],
                  "the ceiling gets light at second hand, less than the floor")
     r.max_below([0.0, 1.0, 0.3, 1.0], 8.0, "no pixel away from the lamp nears its radiance")
     return g, e
@@ -144,7 +144,7 @@ def mis_plates():
             for lamp in lamps:
                 total = add(total, sphere_light((STEEL, 1.0, roughness), p, normal, scale(direction, -1), *lamp, steps=20))
             return total
-        rect = view.around(add(centre, (x, 0, 0)), 0.02, 0.012)
-        r.region_mean(rect, view.average(rect, reflection, 5), 0.03,
+        rect = view.around(add(centre, (x, 0, 0)), 0.06, 0.02)
+        r.region_mean(rect, view.average(rect, reflection, 6), 0.03,
                       f"all four lamps in the plate of roughness {roughness:g}, by quadrature over their cones")
     return g, e

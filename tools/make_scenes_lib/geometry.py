@@ -198,5 +198,5 @@ def vertex_attributes():
                 s, t = local[0] / 0.9 + 0.5, 0.5 - local[1] / 0.9
                 return mul(factor, lookup(chart, t, 1 - s, filtering=9728))
             rect = view.around((i - 1.5 + x, y, 0), 0.15)
-            r.region_mean(rect, view.average(rect, radiance, 24), 0.006, f"{name} at ({x:g}, {y:g})")
+            r.region_mean(rect, view.average(rect, radiance, 12 if i < 3 else 64), 0.006, f"{name} at ({x:g}, {y:g})")
     return g, e

@@ -75,7 +75,7 @@ def punctual_lights():
         if name == "range":
             r.max_below(view.around((-1.7, 0, 1.3), 0.03), 0.0, "no light beyond the range")
         if name == "spot":
-            r.max_below(view.around((1.8, 0, -1.3), 0.03), 0.0, "no light outside the outer cone")
+            r.max_below(view.around((-1.8, 0, 1.2), 0.03), 0.0, "no light outside the outer cone")
     return g, e
 
 
@@ -124,7 +124,7 @@ def emissive_texture():
     e = Expectations("light of a textured emitter on a floor, by quadrature over its texels")
     e.parity_options("--max-depth", "4")
     view = View(eye, aim, (48, 48), ymag=2.4)
-    r = e.render("direct light", view.size, "--scene", "1", "--env", "none", "--max-depth", "1", spp=48)
+    r = e.render("direct light", view.size, "--scene", "1", "--env", "none", "--max-depth", "1", spp=64)
 
     def emitted(s, t):
         return scale(lookup(picture, s, 1 - t, (CLAMP, CLAMP)), strength)
@@ -137,8 +137,8 @@ def emissive_texture():
             p = meet_plane(origin, direction, (0, 0, 0), (0, 1, 0))
             return quad_light((base, 0.0, 1.0), p, (0, 1, 0), scale(direction, -1), corner, right, up,
                               lambda s, t: table[int(s * steps), int(t * steps)], steps)
-        rect = view.around((x, 0, z), 0.05)
-        r.region_mean(rect, view.average(rect, radiance, 3), 0.01, f"floor at ({x:g}, 0, {z:g}), by quadrature over the texels")
+        rect = view.around((x, 0, z), 0.11, 0.045)
+        r.region_mean(rect, view.average(rect, radiance, 4), 0.01, f"floor at ({x:g}, 0, {z:g}), by quadrature over the texels")
     for x, y in ((-0.8, 1.1), (0.8, 1.1), (-0.8, 2.1), (0.8, 2.1)):
         def shown(origin, direction):
             p = meet_plane(origin, direction, corner, (0, 0, 1))

@@ -5,8 +5,8 @@ from . import brdf
 from .facts import Expectations
 from .gltf import Gltf
 from .measure import View, directional, meet_sphere
-from .shapes import floor, rounded_box, sphere
-from .vec import add, dot, lerp, scale, sub
+from .shapes import floor, quad, rounded_box, sphere
+from .vec import add, dot, scale, sub
 
 GOLD = (0.94, 0.5, 0.2)
 
@@ -35,27 +35,35 @@ def furnace():
             placed.append((centre, (base, metallic, roughness)))
     g.scene("furnace", *nodes, g.orthographic("front", (0, 0, 5), (0, 0, 0), 6.4, 3.6))
 
-    e = Expectations("spheres in a uniform environment show their directional albedo, and none gains energy")
+    e = Expectations("tiles and a ball in a uniform environment show their directional albedo, and none gains energy")
     e.parity_options("--env", "1,1,1", "--max-depth", "2")
-    view = View((0, 0, 5), (0, 0, 0), (128, 72), ymag=3.6)
-    r = e.render("uniform environment", view.size, "--env", "1,1,1", "--max-depth", "1", spp=16)
-    for centre, material in placed:
-        rect = view.around(centre, 0.5 / 7.2)
-        table = [brdf.albedo(material, 0.65 + 0.05 * k, 24) for k in range(8)]
-
-        def radiance(origin, direction):
-            n = sub(meet_sphere(origin, direction, centre, 1.0), centre)
-            at = (-dot(n, direction) - 0.65) / 0.05
-            k = min(6, int(at))
-            return lerp(table[k], table[k + 1], at - k)
-        base, metallic, roughness = material
-        r.region_mean(rect, view.average(rect, radiance, 8), 0.006,
-                      f"directional albedo of base {base[0]:g}, metallic {metallic:g}, roughness {roughness:g}, by quadrature")
-    mirror = view.around(placed[0][0], 0.9 / 7.2)
-    r.region_uniform(mirror, 1e-4, "a perfect mirror in a uniform environment cannot be seen, its rim included")
-    for centre, material in placed[:5]:
-        r.max_below(view.around(centre, 0.6 / 7.2), 1.06, "a white metal returns no more than it gets (noise: 6 %)")
+    _furnace_tiles(g, e, [material for _, material in placed])
+    chrome = g.with_material(ball, 1, "mirror")
+    g.scene("mirror", g.node(mesh=chrome), g.orthographic("before the mirror", (0, 0, 5), (0, 0, 0), 1.2, 1.2))
+    r = e.render("a mirror alone", (32, 32), "--scene", "2", "--env", "1,1,1", "--max-depth", "1", spp=16)
+    r.region_uniform([0, 1, 0, 1], 1e-4, "a perfect mirror in a uniform environment cannot be seen, its rim included")
     return g, e
+
+
+def _furnace_tiles(g, e, materials):
+    """Scene 1: the same materials on coplanar tiles, which do not see each other, under three angles of view."""
+    tile = g.mesh("tile", g.primitive(quad((-0.45, -0.45, 0), (0.9, 0, 0), (0, 0.9, 0)), 0))
+    centres = [(i % 5 - 2.0, 1.0 - i // 5, 0.0) for i in range(len(materials))]
+    nodes = [g.node(mesh=g.with_material(tile, i + 1, f"tile {i}"), translation=c) for i, c in enumerate(centres)]
+    cameras = []
+    for degrees in (0, 45, 75):
+        angle = math.radians(degrees)
+        eye, ymag = (0, -9 * math.sin(angle), 9 * math.cos(angle)), 1.5 * math.cos(angle)
+        cameras.append(g.orthographic(f"{degrees} degrees", eye, (0, 0, 0), 2.5, ymag))
+        view = View(eye, (0, 0, 0), (100, round(100 * ymag / 2.5)), ymag=ymag)
+        r = e.render(f"tiles seen at {degrees}°", view.size, "--scene", "1", "--camera", f"{degrees} degrees",
+                     "--env", "1,1,1", "--max-depth", "1", spp=8)
+        for centre, material in zip(centres, materials):
+            base, metallic, roughness = material
+            half = 0.34 / (2 * ymag)
+            r.region_mean(view.around(centre, half, half * math.cos(angle)), brdf.albedo(material, math.cos(angle), 48),
+                          0.006, f"directional albedo of base {base[0]:g}, metallic {metallic:g}, roughness {roughness:g}")
+    g.scene("tiles", *nodes, *cameras)
 
 
 # ---- material_grid ----
