@@ -23,6 +23,6 @@ uint sobolPoint(uint index, uint dimension) {
 }
 
 uint sobolBits(SampleId id, uint dim) {
-    uint key = hash(uvec4(id.pixel, dim, id.seed, kSaltOwen)).x;
+    uint key = hash(hash(uvec4(id.pixel, dim, id.seed, kSaltOwen))).x;
     return owenScramble(sobolPoint(id.index, dim % kSobolDimensions), key);
 }

@@ -37,7 +37,7 @@ TEST(ToUnit, IsExactAndNeverOne) {
 
 TEST(RandomSampler, EqualsWorkedValue) { EXPECT_EQ(randomBits({pack(3, 5), 7, 64, 11}, 10), 0x870117feU); }
 
-TEST(SobolSampler, EqualsWorkedValue) { EXPECT_EQ(sobolBits({pack(3, 5), 6, 64, 11}, 0), 0xdc15b2cdU); }
+TEST(SobolSampler, EqualsWorkedValue) { EXPECT_EQ(sobolBits({pack(3, 5), 6, 64, 11}, 0), 0xb654a0cU); }
 
 TEST(OwenScramble, EqualsWorkedValues) {
     EXPECT_EQ(owenScramble(0, 0), 0U);
@@ -104,7 +104,8 @@ TEST(SobolSampler, FirstTwoDimensionsFillElementaryBoxes) {
 
 class EverySampler : public testing::TestWithParam<SamplerInfo> {};
 
-// Over pixels of several seeds: pairs of dimensions, as a bounce uses them.
+// Over a grid of neighbouring pixels, a seed a row: pairs of dimensions, as a bounce uses them. Weak keys show here as
+// stripes.
 TEST_P(EverySampler, IsUniformOverPixelsAndSeeds) {
     const SamplerBits bits = samplerBits(GetParam().id);
     constexpr std::size_t kCells = 64;
@@ -112,8 +113,7 @@ TEST_P(EverySampler, IsUniformOverPixelsAndSeeds) {
     for (const std::uint32_t dim : {0U, 1U, 10U, 29U, 4000U}) {
         std::vector<double> counts(kCells * kCells), expected(kCells * kCells, double{kDraws} / (kCells * kCells));
         for (std::uint32_t i = 0; i < kDraws; ++i) {
-            const glm::uvec4 h = hash({i, dim, 5, 5});
-            const SampleId id{pack(h.x >> 20U, h.y >> 20U), 3, 16, h.z};
+            const SampleId id{pack(i & 255U, i >> 8U), 3, 16, (i >> 8U) % 7};
             counts[(bits(id, dim) >> 26U) * kCells + (bits(id, dim + 1) >> 26U)] += 1;
         }
         EXPECT_LT(test::chiSquareDeviate(counts, expected), 4) << "dimension " << dim;

@@ -40,7 +40,7 @@ std::uint32_t owenScramble(std::uint32_t bits, std::uint32_t key) {
 }
 
 std::uint32_t sobolBits(SampleId id, std::uint32_t dim) {
-    const std::uint32_t key = hash({id.pixel, dim, id.seed, kSaltOwen}).x;
+    const std::uint32_t key = hash(hash({id.pixel, dim, id.seed, kSaltOwen})).x;
     return owenScramble(sobolPoint(id.index, dim % kSobolDimensions), key);
 }
 
