@@ -164,6 +164,7 @@ void WavefrontRenderer::Impl::recordStart(const FilmBand& band, const BatchParam
     recorder.barrier();
     const QueueCounter all{groupsFor(batch.pathCount), 1, 1, batch.pathCount};
     recorder.update(counters, queueCounterOffset(0, Queue::Ray), std::as_bytes(std::span(&all, 1)));
+    recorder.barrier();
     recorder.dispatch(kernels.generate, band.group, batch, groupsFor(batch.pathCount));
     recorder.barrier();
     stamp(Stage::Generate);
