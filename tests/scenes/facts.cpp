@@ -16,7 +16,7 @@ constexpr double kThreeSigma = 4.53;
 /// About a thousand comparisons at 0.27 % in all; their pooled spread is as good as known.
 constexpr double kThreeSigmaOfMany = 4.8;
 /// Noise may hide no more than this part of what is measured.
-constexpr double kMostNoise = 0.03;
+constexpr double kMostNoise = 0.04;
 
 struct Pixels {
     std::uint32_t x0, x1, y0, y1;
@@ -57,7 +57,7 @@ std::vector<double> everyChannel(const Image& image, Pixels p) {
     return values;
 }
 
-/// Tile means of the left half less those of the mirrored right half, in parts of the frame's mean.
+/// Tile means of the left half less those of the mirrored right half, in parts of their own and the frame's mean.
 std::vector<double> mirrorDifferences(const Json& fact, const Image& image) {
     const auto columns = fact.at("tiles").at(0).get<std::uint32_t>(),
                rows = fact.at("tiles").at(1).get<std::uint32_t>();
@@ -68,7 +68,8 @@ std::vector<double> mirrorDifferences(const Json& fact, const Image& image) {
         for (std::uint32_t i = 0; i < columns / 2; ++i) {
             const auto left = colorMean(image, {i * w, (i + 1) * w, j * h, (j + 1) * h});
             const auto right = colorMean(image, {image.width - (i + 1) * w, image.width - i * w, j * h, (j + 1) * h});
-            for (int c = 0; c < 3; ++c) differences.push_back((left[c] - right[c]) / scale);
+            for (int c = 0; c < 3; ++c)
+                differences.push_back((left[c] - right[c]) / ((left[c] + right[c]) / 2 + scale));
         }
     return differences;
 }

@@ -58,7 +58,8 @@ def cornell_box():
     light_right, light_up = (0.130, 0, 0), (0, 0, -0.105)
     lamp = quad(add(light_corner, light_up), light_right, scale(light_up, -1.0))
     parts["light"] = (lamp, g.light_material("light", LIGHT))
-    nodes = [g.node(name, mesh=g.mesh(name, g.primitive(shape, material))) for name, (shape, material) in parts.items()]
+    nodes = [g.node(name, mesh=g.mesh(name, g.primitive(shape, material)))
+             for name, (shape, material) in parts.items()]
     eye, target = (0.0, 0.2744, 0.8), (0.0, 0.2744, 0.0)
     g.scene("cornell box", *nodes, g.perspective("camera", eye, target, 37.9, 1.0))
 
@@ -77,12 +78,13 @@ def cornell_box():
             return quad_light((base, 0.0, 1.0), p, normal, scale(direction, -1), add(light_corner, light_up),
                               light_right, face, LIGHT)
         rect = view.around(point, 0.014)
-        r.region_mean(rect, view.average(rect, radiance, 4), 0.01, f"direct light of the lamp on {why}, by quadrature")
+        r.region_mean(rect, view.average(rect, radiance, 4), 0.01,
+                      f"direct light of the lamp on {why}, by quadrature")
     lamp_view = view.around((0.0, HEIGHT, -0.2795), 0.03, 0.008)
     r.region_mean(lamp_view, LIGHT, 0.002, "the lamp itself shows its radiance")
     r = e.render("emission alone", view.size, "--max-depth", "0", spp=4)
     r.max_below([0.0, 1.0, 0.3, 1.0], 0.0, "nothing but the lamp emits")
-    r = e.render("global light", view.size, "--max-depth", "6", spp=32)
+    r = e.render("global light", view.size, "--max-depth", "6", spp=16)
     r.increasing([view.around((0.05, HEIGHT, -0.05), 0.02, 0.01), view.around((-0.17, 0.0, -0.05), 0.02)],
                  "the ceiling gets light at second hand, less than the floor")
     r.max_below([0.0, 1.0, 0.3, 1.0], 8.0, "no pixel away from the lamp nears its radiance")
@@ -97,7 +99,7 @@ LIGHT_X = (-4.2, -1.7, 1.0, 4.3)
 LIGHT_COLORS = ((1.0, 0.62, 0.38), (1.0, 0.83, 0.6), (0.72, 0.86, 1.0), (0.5, 0.68, 1.0))
 STEEL = (0.86, 0.85, 0.83)
 POWER = 12.0  # radiance x radius^2 of every lamp
-EYE, AIM, FOV = (0.0, 3.4, 17.0), (0.0, 2.4, 0.0), 27.0
+EYE, AIM, FOV = (0.0, 3.4, 17.0), (0.0, 2.25, 0.0), 27.5
 
 
 def mis_plates():
@@ -122,7 +124,8 @@ def mis_plates():
         facets = columns, columns // 2
         lamp = sphere(radius, *facets)
         centre = (x, lamps_middle[1], lamps_middle[2])
-        nodes.append(g.node(f"lamp {i}", mesh=g.mesh(f"lamp {i}", g.primitive(lamp, g.light_material(f"lamp {i}", radiance))),
+        nodes.append(g.node(f"lamp {i}", mesh=g.mesh(f"lamp {i}",
+                                                     g.primitive(lamp, g.light_material(f"lamp {i}", radiance))),
                             translation=centre))
         lamps.append((centre, radius, radiance))
     grey = g.material("backdrop", (0.35, 0.35, 0.37), 0.0, 0.9)
@@ -137,12 +140,13 @@ def mis_plates():
     for centre, radius, radiance in lamps[2:]:
         rect = view.around(centre, 0.012, 0.02)
         r.region_mean(rect, radiance, 0.001, "a lamp shows its radiance")
-    for (centre, normal, roughness), x in ((planes[3], 0.0), (planes[3], 3.0), (planes[2], -0.4)):
+    for (centre, normal, roughness), x in ((planes[3], 0.0), (planes[3], 3.0), (planes[2], 0.66)):
         def reflection(origin, direction):
             p = meet_plane(origin, direction, centre, normal)
             total = (0.0, 0.0, 0.0)
             for lamp in lamps:
-                total = add(total, sphere_light((STEEL, 1.0, roughness), p, normal, scale(direction, -1), *lamp, steps=20))
+                total = add(total, sphere_light((STEEL, 1.0, roughness), p, normal, scale(direction, -1), *lamp,
+                                                steps=20))
             return total
         rect = view.around(add(centre, (x, 0, 0)), 0.06, 0.02)
         r.region_mean(rect, view.average(rect, reflection, 6), 0.03,

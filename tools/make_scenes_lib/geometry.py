@@ -7,7 +7,7 @@ from .measure import View, directional, meet_plane, meet_sphere
 from .png import Picture
 from .sampling import linear_from_srgb, lookup
 from .shapes import floor, patch, quad, rounded_box, sphere
-from .vec import add, axis_angle, lerp, mul, normalize, quaternion_product, rotate, scale, sub
+from .vec import axis_angle, lerp, mul, normalize, quaternion_product, rotate, scale, sub
 
 
 def srgb(text):
@@ -28,18 +28,23 @@ def bud():
 
 
 ELLIPSOIDS = [  # (centre, turn, scale, roughness)
-    ((-1.5, 0.75, 0), ((0, 0, 1), 30), (0.7, 0.4, 0.5), 0.5), ((0.0, 0.75, 0), ((1, 1, 0), 50), (0.35, 0.7, 0.6), 0.5),
-    ((1.5, 0.75, 0), ((0, 1, 0), 70), (0.3, 0.6, 0.7), 0.5), ((-1.5, -0.75, 0), ((1, 0, 0), -40), (-0.6, 0.5, 0.35), 0.5),
-    ((0.0, -0.75, 0), ((0, 1, 1), 25), (0.7, -0.3, 0.6), 0.5), ((1.5, -0.75, 0), ((1, 2, 3), 200), (-0.4, -0.6, -0.7), 0.5)]
+    ((-1.5, 0.75, 0), ((0, 0, 1), 30), (0.7, 0.4, 0.5), 0.5), ((0.0, 0.75, 0), ((1, 1, 0), 50), (0.35, 0.7, 0.6),
+                                                               0.5),
+    ((1.5, 0.75, 0), ((0, 1, 0), 70), (0.3, 0.6, 0.7), 0.5), ((-1.5, -0.75, 0), ((1, 0, 0), -40), (-0.6, 0.5, 0.35),
+                                                              0.5),
+    ((0.0, -0.75, 0), ((0, 1, 1), 25), (0.7, -0.3, 0.6), 0.5), ((1.5, -0.75, 0), ((1, 2, 3), 200), (-0.4, -0.6, -0.7),
+                                                                0.5)]
 
 
 def instances():
     """Four hundred placements of one mesh. Scene 1 measures ellipsoids, instances of one ball."""
     g = Gltf()
     flower = g.mesh("bud", g.primitive(bud(), g.material("placeholder")))
-    palette = [("ivory", (0.86, 0.82, 0.74), 0.0, 0.35), ("rose", (0.74, 0.2, 0.2), 0.0, 0.3), ("gold", (1.0, 0.74, 0.35), 1.0, 0.25),
+    palette = [("ivory", (0.86, 0.82, 0.74), 0.0, 0.35), ("rose", (0.74, 0.2, 0.2), 0.0, 0.3),
+               ("gold", (1.0, 0.74, 0.35), 1.0, 0.25),
                ("teal", (0.05, 0.33, 0.36), 0.0, 0.25), ("copper", (0.95, 0.55, 0.4), 1.0, 0.35)]
-    kinds = [g.with_material(flower, g.material(n, base, metallic, roughness), n) for n, base, metallic, roughness in palette]
+    kinds = [g.with_material(flower, g.material(n, base, metallic, roughness), n)
+             for n, base, metallic, roughness in palette]
     nodes = []
     for n in range(400):
         r, phi = 0.36 * math.sqrt(n + 0.5), n * math.pi * (3 - math.sqrt(5))
@@ -51,11 +56,13 @@ def instances():
         kind = 2 if r < 1.3 else (0, 3, 0, 1, 0, 3, 0, 0, 4, 0, 3, 1, 0)[ring]
         nodes.append(g.node(mesh=kinds[kind], translation=place, rotation=turn, scale=(width, height, width * 0.85)))
     ground = g.mesh("ground", g.primitive(floor(80), g.material("ground", (0.1, 0.105, 0.12), roughness=0.5)))
-    g.scene("field", *nodes, g.node("ground", mesh=ground), g.perspective("camera", (0, 6.9, 9.4), (0, 0.0, 0.75), 36.0))
+    g.scene("field", *nodes, g.node("ground", mesh=ground), g.perspective("camera", (0, 6.9, 9.4), (0, 0.0, 0.75),
+                                                                          36.0))
 
     material = ((0.9, 0.6, 0.4), 0.5, 0.5)
     ball = g.mesh("ball", g.primitive(sphere(1.0, 96, 48), g.material("measured", *material)))
-    placed = [g.node(mesh=ball, translation=c, rotation=axis_angle(*turn), scale=size) for c, turn, size, _ in ELLIPSOIDS]
+    placed = [g.node(mesh=ball, translation=c, rotation=axis_angle(*turn), scale=size)
+              for c, turn, size, _ in ELLIPSOIDS]
     travel = (-0.4, -0.5, -0.9)
     g.scene("ellipsoids", *placed, g.light("sun", "directional", (1, 1, 1), 3, scale(travel, -1.0), target=(0, 0, 0)),
             g.orthographic("front", (0, 0, 5), (0, 0, 0), 2.4, 1.6))
@@ -87,7 +94,8 @@ def orthographic():
     paints = [srgb(c) for c in ("F2E8CF", "E07A5F", "81B29A", "F2CC8F", "3D5A80", "98C1D9")]
     materials = [g.material(f"paint {i}", c, roughness=0.6) for i, c in enumerate(paints)]
     heights = (0.4, 0.8, 1.3, 1.9, 2.7)
-    towers = [g.mesh(f"tower {h:g}", g.primitive(rounded_box((0.86, h, 0.86), 0.07, 3), materials[0])) for h in heights]
+    towers = [g.mesh(f"tower {h:g}", g.primitive(rounded_box((0.86, h, 0.86), 0.07, 3),
+                                                 materials[0])) for h in heights]
     ball = g.mesh("dome", g.primitive(sphere(0.34, 40, 20), g.material("gilt", (1.0, 0.76, 0.36), 1.0, 0.2)))
     painted, nodes = {}, []
     for i in range(-9, 10):
@@ -99,25 +107,29 @@ def orthographic():
             level, color = min(4, int(hill)), int(noise * 997) % 6
             key = level, color
             if key not in painted:
-                painted[key] = g.with_material(towers[level], materials[color], f"tower {heights[level]:g}, paint {color}")
+                painted[key] = g.with_material(towers[level], materials[color],
+                                               f"tower {heights[level]:g}, paint {color}")
             nodes.append(g.node(mesh=painted[key], translation=(i * 0.96, heights[level] / 2, j * 0.96)))
             if int(noise * 89) % 11 == 0:
                 nodes.append(g.node(mesh=ball, translation=(i * 0.96, heights[level] + 0.3, j * 0.96)))
     ground = g.mesh("ground", g.primitive(floor(60), g.material("ground", srgb("D8CFC0"), roughness=0.9)))
-    sky = g.mesh("sky panel", g.primitive(quad((-30, 26, -44), (60, 0, 0), (0, 0, 46)), g.light_material("sky panel", (0.8, 0.95, 1.2))))
+    sky = g.mesh("sky panel", g.primitive(quad((-30, 26, -44), (60, 0, 0), (0, 0, 46)),
+                                          g.light_material("sky panel", (0.8, 0.95, 1.2))))
     g.scene("town", *nodes, g.node("ground", mesh=ground), g.node("sky panel", mesh=sky),
             g.light("sun", "directional", (1, 0.88, 0.7), 3.6, (-2.0, 6.2, 4.2), target=(0, 0, 0)),
             g.orthographic("isometric", (12, 9.8, 12), (0, 0.5, 0), 5.2 * 16 / 9, 5.2))
 
     red, cyan = (0.8, 0.2, 0.1), (0.1, 0.6, 0.7)
-    near, far = (g.mesh(n, g.primitive(quad((-0.35, -0.35, 0), (0.7, 0, 0), (0, 0.7, 0)), g.material(n, c, unlit=True)))
+    near, far = (g.mesh(n, g.primitive(quad((-0.35, -0.35, 0), (0.7, 0, 0), (0, 0.7, 0)),
+                                       g.material(n, c, unlit=True)))
                  for n, c in (("near", red), ("far", cyan)))
     g.scene("measured", g.node(mesh=near, translation=(-1.0, 0.1, 3)), g.node(mesh=far, translation=(1.0, 0.1, -40)),
             g.orthographic("window", (0, 0, 5), (0, 0, 0), 2.0, 1.0))
     e = Expectations("parallel projection: size does not depend on depth")
     e.parity_options("--max-depth", "3")
     view = View((0, 0, 5), (0, 0, 0), (64, 32), ymag=1.0)
-    r = e.render("two squares", view.size, "--scene", "1", "--env", "none", "--max-depth", "1", "--background", "transparent", spp=64)
+    r = e.render("two squares", view.size, "--scene", "1", "--env", "none", "--max-depth", "1",
+                 "--background", "transparent", spp=64)
     r.alpha_mean([0.0, 0.5, 0.0, 1.0], 0.49 / 4, 0.0005, "0.7 m × 0.7 m of a window of 2 m × 2 m, at 2 m")
     r.alpha_mean([0.5, 1.0, 0.0, 1.0], 0.49 / 4, 0.0005, "the same at 45 m")
     r.region_mean([0.0, 0.5, 0.0, 1.0], scale(red, 0.49 / 4), 0.005, "area times colour")
@@ -130,16 +142,20 @@ def orthographic():
 # ---- vertex_attributes ----
 
 def _height(x, z):
-    hills = 1.5 * math.exp(-((x + 0.8) ** 2 + (z + 0.7) ** 2) / 1.3) + 0.95 * math.exp(-((x - 1.4) ** 2 + (z - 0.2) ** 2) / 0.7)
-    ridges = 0.13 * math.sin(2.3 * x + 0.6) * math.cos(2.9 * z - 0.4) + 0.05 * math.sin(6.1 * x - 2 * z) * math.sin(5.3 * z + x)
-    return hills + ridges - 0.11 * (x * x + z * z) ** 0.9 + 0.22
+    peak = 1.5 * math.exp(-((x + 0.8) ** 2 + (z + 0.7) ** 2) / 1.3)
+    hill = 0.95 * math.exp(-((x - 1.4) ** 2 + (z - 0.2) ** 2) / 0.7)
+    ridges = 0.13 * math.sin(2.3 * x + 0.6) * math.cos(2.9 * z - 0.4)
+    ridges += 0.05 * math.sin(6.1 * x - 2 * z) * math.sin(5.3 * z + x)
+    return peak + hill + ridges - 0.11 * (x * x + z * z) ** 0.9 + 0.22
 
 
 def _ground_color(p, n):
-    stops = ((-0.4, srgb("C9B27C")), (0.1, srgb("E4D3A0")), (0.2, srgb("7FA65A")), (0.7, srgb("3F7A48")), (0.95, srgb("8A7A6B")), (1.25, srgb("F4F4F2")))
+    stops = ((-0.4, srgb("C9B27C")), (0.1, srgb("E4D3A0")), (0.2, srgb("7FA65A")), (0.7, srgb("3F7A48")),
+             (0.95, srgb("8A7A6B")), (1.25, srgb("F4F4F2")))
     color = stops[0][1]
     for (low, a), (high, b) in zip(stops, stops[1:]):
-        color = lerp(color if p[1] < low else a, b, max(0.0, min(1.0, (p[1] - low) / (high - low)))) if p[1] >= low else color
+        if p[1] >= low:
+            color = lerp(a, b, min(1.0, (p[1] - low) / (high - low)))
     steep = max(0.0, min(1.0, (0.72 - n[1]) / 0.25)) if p[1] > 0.12 else 0.0
     return lerp(color, srgb("7B6D60"), steep)
 
@@ -160,10 +176,12 @@ def vertex_attributes():
     g = Gltf()
     island = patch(lambda u, v: (6 * u - 3, _height(6 * u - 3, 3 - 6 * v), 3 - 6 * v), 96, 96)
     island.uv0 = []
-    paint = [tuple(round(255 * c) for c in _ground_color(p, n)) + (255,) for p, n in zip(island.positions, island.normals)]
+    paint = [tuple(round(255 * c) for c in _ground_color(p, n)) + (255,)
+             for p, n in zip(island.positions, island.normals)]
     land = g.mesh("island", g.primitive(island, g.material("land", roughness=0.85), (UNSIGNED_BYTE, paint)))
     sea = g.mesh("sea", g.primitive(floor(60), g.material("sea", srgb("1E5C73"), roughness=0.12)))
-    g.scene("island", g.node("island", mesh=land), g.node("sea", mesh=sea), g.node("sky", mesh=_sky(g)), g.light("sun", "directional", (1, 0.86, 0.66), 3.4, (4.5, 3.4, 2.2), target=(0, 0, 0)),
+    g.scene("island", g.node("island", mesh=land), g.node("sea", mesh=sea), g.node("sky", mesh=_sky(g)),
+            g.light("sun", "directional", (1, 0.86, 0.66), 3.4, (4.5, 3.4, 2.2), target=(0, 0, 0)),
             g.perspective("camera", (0.6, 1.7, 6.6), (0, 0.5, 0), 32.0))
 
     factor = (0.9, 0.7, 0.5)
@@ -179,9 +197,11 @@ def vertex_attributes():
     texture = g.texture("ramp", chart, filtering=9728)
     turned = tile.with_uv(lambda u, v: (v, 1 - u), "uv1")
     painted = g.material("painted", factor, unlit=True)
-    kinds = [("float RGB", g.primitive(tile, painted, (5126, rows(0, False)))), ("byte RGBA", g.primitive(tile, painted, (UNSIGNED_BYTE, rows(255, True)))),
+    kinds = [("float RGB", g.primitive(tile, painted, (5126, rows(0, False)))),
+             ("byte RGBA", g.primitive(tile, painted, (UNSIGNED_BYTE, rows(255, True)))),
              ("short RGB", g.primitive(tile, painted, (UNSIGNED_SHORT, rows(65535, False)))),
-             ("TEXCOORD_1", g.primitive(turned, g.material("uv1", factor, unlit=True, texture=g.texture_use(texture, 1))))]
+             ("TEXCOORD_1", g.primitive(turned, g.material("uv1", factor, unlit=True,
+                                                           texture=g.texture_use(texture, 1))))]
     nodes = [g.node(name, mesh=g.mesh(name, p), translation=(i - 1.5, 0, 0)) for i, (name, p) in enumerate(kinds)]
     g.scene("measured", *nodes, g.orthographic("front", (0, 0, 5), (0, 0, 0), 2.0, 0.5))
     e = Expectations("vertex colours of every component type, and the second set of texture coordinates", "diffuse")

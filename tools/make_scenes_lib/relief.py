@@ -47,16 +47,20 @@ def normal_map():
     bare = Shape(panel.positions, panel.normals, panel.uv0, panel.triangles)
     leather = g.material("woven, TANGENT given", (0.45, 0.2, 0.11), roughness=0.38, normal=woven)
     copy = g.material("woven, TANGENT made", (0.45, 0.2, 0.11), roughness=0.38, normal=woven)
-    back = g.mesh("board", g.primitive(rounded_box((1.84, 1.84, 0.12), 0.04, 4), g.material("board", (0.16, 0.15, 0.15), roughness=0.4)))
+    back = g.mesh("board", g.primitive(rounded_box((1.84, 1.84, 0.12), 0.04, 4),
+                                       g.material("board", (0.16, 0.15, 0.15), roughness=0.4)))
     given, made = g.mesh("given", g.primitive(panel, leather)), g.mesh("made", g.primitive(bare, copy))
-    ball = g.mesh("ball", g.primitive(sphere(0.9, 64, 32, tangents=True), g.material("studded", (0.95, 0.74, 0.42), 1.0, 0.26, normal=dotted)))
+    ball = g.mesh("ball", g.primitive(sphere(0.9, 64, 32, tangents=True),
+                                      g.material("studded", (0.95, 0.74, 0.42), 1.0, 0.26, normal=dotted)))
     nodes = [g.node("ball", mesh=ball, translation=(0, 0.9, 0))]
     for name, mesh, side in (("given", given, -1), ("made", made, 1)):
         turn = axis_angle((0, 1, 0), -24 * side)
         place = (1.95 * side, 0.93, -0.25)
-        nodes += [g.node(name, mesh=mesh, translation=add(place, (-0.0271 * side, 0, 0.061)), rotation=turn), g.node(mesh=back, translation=place, rotation=turn)]
+        nodes += [g.node(name, mesh=mesh, translation=add(place, (-0.0271 * side, 0, 0.061)), rotation=turn),
+                  g.node(mesh=back, translation=place, rotation=turn)]
     ground = g.mesh("ground", g.primitive(floor(50), g.material("ground", (0.4, 0.4, 0.41), roughness=0.5)))
-    g.scene("relief", *nodes, g.node("ground", mesh=ground), g.perspective("camera", (0, 1.9, 7.2), (0, 0.84, 0), 26.0))
+    g.scene("relief", *nodes, g.node("ground", mesh=ground), g.perspective("camera", (0, 1.9, 7.2), (0, 0.84, 0),
+                                                                           26.0))
     e = Expectations("shading normals of uniform normal maps, in closed form, with TANGENT given and made")
     e.parity_options("--env", "0.7,0.8,1", "--max-depth", "3")
     _tilted(g, e)
@@ -78,7 +82,8 @@ def _tilted(g, e):
     nodes, k = [], 0
     for normal_scale, given in ((1.0, True), (1.0, False), (0.5, True)):
         use = g.texture_use(texture, scale=normal_scale)
-        shade = g.material(f"tilted, scale {normal_scale:g}, tangents {'given' if given else 'made'}", base, metallic, roughness, normal=use)
+        shade = g.material(f"tilted, scale {normal_scale:g}, tangents {'given' if given else 'made'}", base, metallic,
+                           roughness, normal=use)
         for name, (change, tangent, hand) in turns.items():
             if normal_scale < 1 and name == "turned":
                 continue
@@ -89,9 +94,11 @@ def _tilted(g, e):
             k += 1
             nodes.append(g.node(name, mesh=g.mesh(f"tilted {k}", g.primitive(shape, shade)), translation=centre))
             bitangent = scale(cross((0, 0, 1), tangent), hand)
-            ns = normalize(add(add(scale(tangent, texel[0] * normal_scale), scale(bitangent, texel[1] * normal_scale)), (0, 0, texel[2])))
+            ns = normalize(add(add(scale(tangent, texel[0] * normal_scale),
+                                   scale(bitangent, texel[1] * normal_scale)), (0, 0, texel[2])))
             value = directional(material, centre, ns, (0, 0, 1), travel, lux)
-            r.region_mean(view.around(centre, 0.18), value, 0.003, f"{name} texture frame, tangents {'given' if given else 'made'}, scale {normal_scale:g}")
+            r.region_mean(view.around(centre, 0.18), value, 0.003,
+                          f"{name} texture frame, tangents {'given' if given else 'made'}, scale {normal_scale:g}")
     g.scene("tilted", *nodes, g.light("sun", "directional", (1, 1, 1), 3, scale(travel, -3.0), target=(0, 0, 0)),
             g.orthographic("front", (0, 0, 5), (0, 0, 0), 2.0, 1.0))
 
@@ -122,23 +129,28 @@ def shell():
 def negative_scale():
     """A shell and its mirror image by a negative scale: everything must mirror, the normal map included."""
     g = Gltf()
-    ribs = g.texture("ribs", from_height(64, lambda u, v: 0.05 * abs(math.sin(2 * math.pi * (v + 0.25 * math.sin(2 * math.pi * u)))) ** 0.7, 1.0))
+    def ridges(u, v):
+        return 0.05 * abs(math.sin(2 * math.pi * (v + 0.25 * math.sin(2 * math.pi * u)))) ** 0.7
+    ribs = g.texture("ribs", from_height(64, ridges, 1.0))
     glaze = Picture(64, 64, 3, lambda u, v: tuple(a + (b - a) * (0.5 + 0.5 * math.sin(2 * math.pi * (2 * v + u))) ** 3
                                                     for a, b in zip((0.97, 0.9, 0.8), (0.75, 0.36, 0.26))))
     body = patch(shell(), 40, 200).with_uv(lambda u, v: (u, 10 * v * (1.4 - 0.4 * v)))
-    pearl = g.material("pearl", roughness=0.3, texture=g.texture_use(g.texture("glaze", glaze)), normal=g.texture_use(ribs, scale=0.7), doubleSided=True)
+    pearl = g.material("pearl", roughness=0.3, texture=g.texture_use(g.texture("glaze", glaze)),
+                       normal=g.texture_use(ribs, scale=0.7), doubleSided=True)
     mesh = g.mesh("shell", g.primitive(body, pearl))
     turn = axis_angle((0, 1, 0), 35)
     mirrored = axis_angle((0, 1, 0), -35)
     ground = g.mesh("ground", g.primitive(floor(50), g.material("sand", (0.62, 0.55, 0.45), roughness=0.8)))
     pair = [g.node("shell", mesh=mesh, translation=(1.3, 0.5, 0), rotation=turn),
             g.node("mirrored shell", mesh=mesh, translation=(-1.3, 0.5, 0), rotation=mirrored, scale=(-1, 1, 1))]
-    g.scene("shells", *pair, g.node("ground", mesh=ground), g.perspective("camera", (0, 2.6, 7.6), (0, 0.78, 0), 27.0))
+    g.scene("shells", *pair, g.node("ground", mesh=ground), g.perspective("camera", (0, 2.6, 7.6), (0, 0.78, 0),
+                                                                          27.0))
     g.scene("lit from the middle", *pair, g.light("bulb", "point", (1, 0.9, 0.8), 60, (0, 3.0, 4.0)),
             g.perspective("front", (0, 2.6, 7.6), (0, 0.9, 0), 27.0))
     e = Expectations("a mesh under a negative scale is the exact mirror image")
     e.parity_options("--env", "0.8,0.8,0.8", "--max-depth", "3")
-    r = e.render("lit from the middle", (96, 54), "--scene", "1", "--env", "none", "--max-depth", "1", "--background", "transparent", spp=32)
+    r = e.render("lit from the middle", (96, 54), "--scene", "1", "--env", "none", "--max-depth", "1", "--background",
+                 "transparent", spp=32)
     r.mirror_symmetry("x", [12, 9], 0.004, "the scene is its own mirror image in x = 0")
     r.increasing([[0, 0.125, 0, 0.25], [0.25, 0.375, 0.25, 0.5]], "there is a shell to compare")
     r = e.render("uniform environment", (64, 36), "--scene", "1", "--env", "1,1,1", "--max-depth", "2", spp=32)

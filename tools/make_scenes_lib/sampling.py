@@ -9,13 +9,10 @@ def linear_from_srgb(c):
     return c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4
 
 
-def srgb_from_linear(c):
-    return 12.92 * c if c <= 0.0031308 else 1.055 * c ** (1 / 2.4) - 0.055
-
-
 def hue(h, saturation=0.6, value=1.0):
     """An sRGB colour of hue h in turns."""
-    return tuple(value * (1 - saturation * (1 - max(0.0, min(1.0, abs((h + s) % 1 * 6 - 3) - 1)))) for s in (1, 2 / 3, 1 / 3))
+    return tuple(value * (1 - saturation * (1 - max(0.0, min(1.0, abs((h + s) % 1 * 6 - 3) - 1)))) for s in (1, 2 / 3,
+                                                                                                             1 / 3))
 
 
 def transformed(u, v, offset=(0, 0), rotation=0.0, scale=(1, 1)):

@@ -129,19 +129,3 @@ def lathe(profile, columns, rows):
         return (r * math.sin(phi), y, r * math.cos(phi))
     return patch(surface, columns, rows)
 
-
-def tube(path, radius, columns, rows, twist=0.0):
-    """A closed tube around path(t), t in [0,1); `radius(t, phi)` may vary. Rows run along the path."""
-    def frame(t):
-        h = 1e-3
-        tangent = normalize(sub(path(t + h), path(t - h)))
-        outward = sub(path(t + h), add(scale(path(t), 2.0), scale(path(t - h), -1.0)))
-        side = normalize(cross(tangent, outward))
-        return side, cross(side, tangent)
-
-    def surface(u, v):
-        side, up = frame(v)
-        phi = 2 * math.pi * (u + twist * v)
-        r = radius(v, phi)
-        return add(path(v), add(scale(side, r * math.cos(phi)), scale(up, r * math.sin(phi))))
-    return patch(surface, columns, rows)

@@ -17,7 +17,8 @@ def chart(size):
     def paint(u, v):
         if (u - 0.17) ** 2 + (v - 0.17) ** 2 < 0.09 ** 2:
             return INK
-        if 0.34 < u < 0.44 and 0.2 < v < 0.8 or 0.34 < u < 0.72 and 0.2 < v < 0.3 or 0.34 < u < 0.62 and 0.45 < v < 0.55:
+        stem = 0.34 < u < 0.44 and 0.2 < v < 0.8
+        if stem or 0.34 < u < 0.72 and 0.2 < v < 0.3 or 0.34 < u < 0.62 and 0.45 < v < 0.55:
             return CREAM
         odd = (int(u * 4) + int(v * 4)) % 2
         return hue(0.02 + 0.62 * (0.65 * u + 0.35 * v), 0.66 if odd else 0.5, 0.72 if odd else 0.88)
@@ -98,7 +99,8 @@ def texture_transform():
     for i, (name, transform) in enumerate(TRANSFORMS):
         second = name.startswith("TEXCOORD_1")
         extension = dict(transform, texCoord=1) if second else transform
-        gallery.tile(i % 4, i // 4, name, both if second else square, g.texture_use(texture, transform=extension or None))
+        gallery.tile(i % 4, i // 4, name, both if second else square,
+                     g.texture_use(texture, transform=extension or None))
         colors[name] = lambda s, t, second=second, transform=transform: lookup(
             picture, *transformed(*((1 - t, s) if second else (s, t)), **transform))
     e, view, render = gallery.finish("texture transforms move texels where the extension says")
@@ -120,7 +122,8 @@ def texture_wrap():
         for column, (across, s_mode) in enumerate(MODES + (("nearest", MODES[row][1]),)):
             name = f"{across} × {down}"
             filtering = NEAREST if column == 3 else LINEAR
-            gallery.tile(column, row, name, square, g.texture_use(g.texture("chart", picture, (s_mode, t_mode), filtering)))
+            gallery.tile(column, row, name, square, g.texture_use(g.texture("chart", picture, (s_mode, t_mode),
+                                                                            filtering)))
             colors[name] = lambda s, t, wrap=(s_mode, t_mode), filtering=filtering: lookup(
                 picture, 2.5 * s - 0.75, 2.5 * t - 0.75, wrap, filtering)
     e, view, render = gallery.finish("wrap modes and filters put every texel where glTF says")
