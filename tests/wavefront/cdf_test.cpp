@@ -73,5 +73,22 @@ TEST_F(CdfProbe, FindsTheFirstEntryAbove) {
     }
 }
 
+// No table ends below 1, but rounding elsewhere must never lead beyond its end.
+TEST_F(CdfProbe, BeyondTheLastEntryLiesTheLast) {
+    SceneArrays arrays;
+    std::vector<In> inputs;
+    for (const std::uint32_t count : {1U, 3U, 4U, 5U, 30U}) {
+        const auto start = static_cast<std::uint32_t>(arrays.lightCdf.size() / 4);
+        for (std::uint32_t i = 0; i < count; ++i)
+            arrays.lightCdf.push_back(0.5F * static_cast<float>(i + 1) / static_cast<float>(count));
+        while (arrays.lightCdf.size() % 4 != 0) arrays.lightCdf.push_back(1);
+        inputs.push_back({start, count, 0.75F});
+    }
+    const ProbeScene scene(arrays);
+    for (In& in : inputs) in.base += scene.header().lightCdf;
+    const auto out = scene.evaluate<Out>("cdf", inputs);
+    for (std::size_t i = 0; i < inputs.size(); ++i) EXPECT_EQ(out[i].index, inputs[i].count - 1);
+}
+
 }  // namespace
 }  // namespace vkpt

@@ -65,14 +65,23 @@ TEST(Renderer, RendersAgainWithTheSameResult) {
     EXPECT_TRUE(isSame(first, renderer.render({})));
 }
 
-TEST(Renderer, OneSampleEqualsReferenceAtEveryDepth) {
+struct Length {
+    std::uint32_t maxDepth, rrMode;
+};
+
+TEST(Renderer, OneSampleEqualsReferenceAtEveryDepthAndRoulette) {
     for (const bool instances : {false, true}) {
         const SceneArrays arrays = makeEverything(instances);
-        for (const std::uint32_t depth : {0U, 1U, 2U, 40U}) {
-            SCOPED_TRACE(testing::Message() << "depth " << depth << (instances ? " with instances" : ""));
+        for (const Length& length :
+             {Length{0, kRouletteThroughput}, Length{1, kRouletteOff}, Length{2, kRouletteOff},
+              Length{8, kRouletteThroughput}, Length{8, kRouletteFixed}, Length{40, kRouletteOff}}) {
+            SCOPED_TRACE(testing::Message() << "depth " << length.maxDepth << " roulette " << length.rrMode
+                                            << (instances ? " with instances" : ""));
             RenderOptions options = makeOptions(64, 48, 1);
-            options.params.maxDepth = depth;
-            options.params.rrMode = depth > 16 ? kRouletteOff : kRouletteThroughput;
+            options.params.maxDepth = length.maxDepth;
+            options.params.rrMode = length.rrMode;
+            options.params.rrDepth = 1;
+            options.params.rrFixed = 0.75F;
             const Film film = renderWith(arrays, options), reference = renderReference(arrays, options);
             EXPECT_LE(divergedShare(film, reference), 0.01);
             for (std::size_t i = 0; i < film.sums.size(); ++i)

@@ -96,6 +96,16 @@ TEST_F(ShadingPointProbe, InstancesScaledUnevenlyAndMirroredEqualReference) {
     comparePoints(arrays, pointsOn(arrays, 6000, 51));
 }
 
+// flatten makes no such record, but the contract covers it: handedness turns with the sign of the determinant.
+TEST_F(ShadingPointProbe, RecordsOfNegativeDeterminantEqualReference) {
+    SceneArrays arrays = makeArrays(makePatches(), {.instancing = true, .instancingThreshold = 0});
+    for (InstanceRecord& r : arrays.instances) {  // world mirrored in x
+        r.worldFromObject[0] = -r.worldFromObject[0];
+        for (glm::vec4& row : r.objectFromWorld) row.x = -row.x;
+    }
+    comparePoints(arrays, pointsOn(arrays, 3000, 54));
+}
+
 TEST_F(ShadingPointProbe, SecondTextureSetIsTheOriginWhereTheSceneHasNone) {
     Scene scene = makePatches();
     for (Mesh& mesh : scene.meshes) {
