@@ -1,5 +1,5 @@
 // Specialization constants of every kernel: what a render does not need is not in its kernels.
-// The order is WavefrontRenderer's specializationOf (src/wavefront/specialization.cpp).
+// Changed the order? Update specializationOf (src/wavefront/kernels.cpp).
 layout(constant_id = 0) const uint kSampler = 0u;
 layout(constant_id = 1) const uint kFetchTexel = 0u;       // read the scene through a texel buffer
 layout(constant_id = 2) const uint kHasInstances = 0u;

@@ -4,6 +4,7 @@ shared uint sharedCount, sharedBase;
 
 uint appendSlot(uint bounce, uint queue, bool wanted) {
     uint block = queueCounter(bounce, queue);
+#ifndef VKPT_NO_BALLOT
     if (kUseBallot != 0u) {
         uvec4 ballot = subgroupBallot(wanted);
         uint count = subgroupBallotBitCount(ballot), base = 0u;
@@ -13,6 +14,7 @@ uint appendSlot(uint bounce, uint queue, bool wanted) {
         }
         return subgroupBroadcastFirst(base) + subgroupBallotExclusiveBitCount(ballot);
     }
+#endif
     if (gl_LocalInvocationIndex == 0u) sharedCount = 0u;
     barrier();
     uint mine = wanted ? atomicAdd(sharedCount, 1u) : 0u;

@@ -29,10 +29,10 @@ Kernel makeKernel(Device& device, std::string_view name, std::span<const std::ui
 
 }  // namespace
 
-WavefrontKernels::WavefrontKernels(Device& device, std::span<const std::uint32_t> specialization)
+WavefrontKernels::WavefrontKernels(Device& device, std::span<const std::uint32_t> specialization, bool useBallot)
     : generate(makeKernel(device, "generate", specialization)),
-      intersect(makeKernel(device, "intersect", specialization)),
-      shade(makeKernel(device, "shade", specialization)),
+      intersect(makeKernel(device, useBallot ? "intersect" : "intersect_portable", specialization)),
+      shade(makeKernel(device, useBallot ? "shade" : "shade_portable", specialization)),
       miss(makeKernel(device, "miss", specialization)),
       shadow(makeKernel(device, "shadow", specialization)),
       accumulate(makeKernel(device, "accumulate", specialization)) {}

@@ -27,7 +27,8 @@ inline constexpr std::array kKernelBindings = {BindingKind::UniformBuffer, Bindi
 struct WavefrontKernels {
     Kernel generate, intersect, shade, miss, shadow, accumulate;
 
-    WavefrontKernels(Device& device, std::span<const std::uint32_t> specialization);
+    /// `useBallot` false: the variants that need no subgroup operations.
+    WavefrontKernels(Device& device, std::span<const std::uint32_t> specialization, bool useBallot);
 };
 
 }  // namespace vkpt

@@ -68,7 +68,7 @@ struct WavefrontRenderer::Impl {
     Device device;
     SceneLayout layout;
     std::uint32_t capacity;
-    bool texels;
+    bool texels, ballot;
     MemoryPlan plan;
     WavefrontKernels kernels;
     Buffer frame, scene, dummy, state, counters, freshCounters, readback;
@@ -78,7 +78,6 @@ struct WavefrontRenderer::Impl {
     double uploadSeconds = 0;
 
     Impl(const SceneArrays& arrays, const RenderOptions& renderOptions, const WavefrontConfig& wavefrontConfig);
-    void planMemory();
     void createBuffers(const SceneArrays& arrays);
     [[nodiscard]] std::uint32_t counterBlocks() const { return options.params.maxDepth + 2; }
 
@@ -106,8 +105,8 @@ WavefrontRenderer::Impl::Impl(const SceneArrays& arrays, const RenderOptions& re
       layout(planScene(arrays)),
       capacity(config.pathsInFlight != 0 ? config.pathsInFlight : kDefaultPaths),
       texels(useTexels(device, config.fetch, layout.bytes)),
-      kernels(device, specializationOf(arrays.features, options.sampler, texels,
-                                       config.ballot && device.info().subgroupBallot)),
+      ballot(config.ballot && device.info().subgroupBallot),
+      kernels(device, specializationOf(arrays.features, options.sampler, texels, ballot), ballot),
       recorder(device, config.timings ? 4 * kBouncesPerSubmit + 4 : 0),
       pathsPerBatch(capacity) {
     if (counterBlocks() > kMaxBounceBlocks)

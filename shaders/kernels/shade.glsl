@@ -1,0 +1,135 @@
+// Stage 3b: paths that met a surface: its emission, one light sample, one BSDF sample, Russian roulette.
+// The steps are those of estimator.md.
+#include "kernels/preamble.glsl"
+#include "kernels/append.glsl"
+#include "kernels/contribution.glsl"
+#include "material/texture.glsl"
+#include "geometry/surface.glsl"
+#include "geometry/octahedral.glsl"
+#include "geometry/shading_point.glsl"
+#include "microfacet/ggx.glsl"
+#include "bsdf/gltf.glsl"
+#include "lights/environment.glsl"
+#include "lights/punctual.glsl"
+#include "lights/sample.glsl"
+#include "math/mis.glsl"
+
+struct PathVertex {
+    uint path;
+    SampleId id;
+    vec3 wo, throughput;
+    float pdfBsdf, t;
+    ShadingPoint point;
+    vec4 baseColor;
+    GltfBsdf bsdf;
+};
+
+PathVertex loadPathVertex(uint path) {
+    PathVertex v;
+    v.path = path;
+    v.id = sampleIdOf(path);
+    vec4 direction = loadStateFloat(kStateDirection, path);
+    uvec4 hit = loadState(kStateHit, path);
+    v.wo = -direction.xyz;
+    v.throughput = loadStateFloat(kStateThroughput, path).xyz;
+    v.pdfBsdf = loadStateFloat(kStateOrigin, path).w;
+    v.t = uintBitsToFloat(hit.x);
+    v.point = makeShadingPoint(hit.y, floatBitsToUint(direction.w), uintBitsToFloat(hit.zw), v.wo);
+    MaterialRecord m = v.point.material;
+    v.baseColor = surfaceBaseColor(m, v.point.uv);
+    vec4 mr = surfaceTexture(m.metallicRoughnessTexture, v.point.uv, vec4(1.0));
+    float roughness = m.roughness * mr.g;
+    v.bsdf = GltfBsdf(v.baseColor.rgb, m.metallic * mr.b, roughness * roughness);
+    return v;
+}
+
+bool isUnlit(PathVertex v) { return kHasUnlit != 0u && (v.point.material.flags & kMaterialUnlit) != 0u; }
+
+// Step 3: radiance emitted towards the path, with its MIS weight.
+vec3 emittedRadiance(PathVertex v) {
+    MaterialRecord m = v.point.material;
+    if (isUnlit(v)) return v.baseColor.rgb;
+    if (maxComponent(m.emissive) <= 0.0) return vec3(0.0);
+    if (!v.point.front && (m.flags & kMaterialDoubleSided) == 0u) return vec3(0.0);
+    vec3 emission = m.emissive * surfaceTexture(m.emissiveTexture, v.point.uv, vec4(1.0)).rgb;
+    if (kHasTriangleLights == 0u || v.point.light == kNone || v.pdfBsdf < 0.0) return emission;
+    uint light = scene.lights + v.point.light * 4u;
+    float pmf = sceneWordFloat(light + 1u).w, area = sceneWordFloat(light + 2u).w;
+    float pdfLight = pmf * v.t * v.t / (area * abs(dot(v.wo, v.point.nGeometric)));
+    return emission * powerHeuristic(v.pdfBsdf, pdfLight);
+}
+
+struct ShadowItem {
+    vec3 origin, target, radiance;
+    float tMax;
+};
+
+vec3 leaveSurface(ShadingPoint p) { return p.position + p.ng * p.offset; }
+
+// Step 5: next event estimation. radiance 0: no shadow ray.
+ShadowItem sampleDirect(PathVertex v, vec3 wo) {
+    ShadowItem item = ShadowItem(leaveSurface(v.point), vec3(0.0), vec3(0.0), 0.0);
+    if (scene.lightCount == 0u) return item;
+    LightSample light = sampleLight(v.point.position, samplePath(v.id, bounceDimension(kDimLight)),
+                                    samplePath2D(v.id, bounceDimension(kDimLightPoint)));
+    vec3 wi = toLocal(v.point.frame, light.wi), f;
+    float pdf;
+    gltfEvaluate(v.bsdf, wo, wi, f, pdf);
+    if (dot(light.wi, v.point.ng) <= 0.0 || maxComponent(light.radiance) <= 0.0 || light.pdf <= 0.0) return item;
+    float weight = light.delta ? 1.0 : powerHeuristic(light.pdf, pdf);
+    item.radiance = v.throughput * f * light.radiance * (wi.z * weight / light.pdf);
+    item.target = light.infinite ? light.target : light.target - item.origin;
+    item.tMax = light.infinite ? uintBitsToFloat(0x7f800000u) : 1.0;
+    return item;
+}
+
+// Steps 6 and 7: the next segment; false where the path ends.
+bool samplePathDirection(PathVertex v, vec3 wo, out vec3 direction, out vec3 throughput, out float pdf) {
+    BsdfSample s = gltfSample(v.bsdf, wo, samplePath(v.id, bounceDimension(kDimLobe)),
+                              samplePath2D(v.id, bounceDimension(kDimBsdf)));
+    direction = toWorld(v.point.frame, s.wi);
+    throughput = v.throughput * s.weight;
+    pdf = s.pdf;
+    float brightest = maxComponent(throughput);
+    if (brightest <= 0.0 || dot(direction, v.point.ng) <= 0.0) return false;
+    if (render.rrMode != kRouletteOff && batch.bounce + 1u >= render.rrDepth) {
+        float q = render.rrMode == kRouletteFixed ? render.rrFixed : min(1.0, brightest);
+        if (samplePath(v.id, bounceDimension(kDimRoulette)) >= q) return false;
+        throughput /= q;
+    }
+    return true;
+}
+
+void main() {
+    uint i = gl_GlobalInvocationID.x;
+    bool live = i < queueSize(batch.bounce, kQueueHit), lit = false, scattered = false;
+    PathVertex v;
+    ShadowItem shadow;
+    vec3 direction, throughput;
+    float pdf;
+    if (live) {
+        v = loadPathVertex(counters[queueArray(batch.bounce, kQueueHit) + i]);
+        vec3 emission = v.throughput * emittedRadiance(v);
+        bool first = batch.bounce == 0u;
+        if (first || maxComponent(emission) > 0.0) addContribution(v.path, emission, first);
+        if (batch.bounce < render.maxDepth && !isUnlit(v)) {
+            vec3 wo = toLocal(v.point.frame, v.wo);
+            shadow = sampleDirect(v, wo);
+            lit = maxComponent(shadow.radiance) > 0.0;
+            scattered = samplePathDirection(v, wo, direction, throughput, pdf);
+        }
+    }
+    uint shadowSlot = appendSlot(batch.bounce, kQueueShadow, lit);
+    uint raySlot = appendSlot(batch.bounce + 1u, kQueueRay, scattered);
+    if (lit) {
+        storeStateFloat(kShadowOrigin, shadowSlot, vec4(shadow.origin, uintBitsToFloat(v.path)));
+        storeStateFloat(kShadowTarget, shadowSlot, vec4(shadow.target, shadow.tMax));
+        storeStateFloat(kShadowRadiance, shadowSlot, vec4(shadow.radiance, 0.0));
+    }
+    if (scattered) {
+        storeStateFloat(kStateOrigin, v.path, vec4(leaveSurface(v.point), pdf));
+        storeStateFloat(kStateDirection, v.path, vec4(direction, 0.0));
+        storeStateFloat(kStateThroughput, v.path, vec4(throughput, 0.0));
+        counters[queueArray(batch.bounce + 1u, kQueueRay) + raySlot] = v.path;
+    }
+}
