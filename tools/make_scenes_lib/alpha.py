@@ -95,7 +95,7 @@ def _half_sheets(g, e):
     r.region_mean(areas[-1], add(scale(red, 0.5), scale(blue, 0.25)), 1e-4, "nothing behind the two sheets")
     r.alpha_mean(areas[-1], 0.75, 1e-4, "1 - 1/2 × 1/2")
     r.region_mean(areas[0], (0.5, 0.5, 0.5), 1e-4,
-                  "one sheet crossed twice, before and after a mirror: 2 × 1/2 × 1/2; the segments decide independently")
+                  "one sheet crossed before and after a mirror: 2 × 1/2 × 1/2; the segments decide independently")
     r.region_mean(areas[1], scale(blue, 0.5), 1e-4, "alpha below the cutoff is absent")
     r.alpha_mean(areas[1], 0.5, 1e-4, "alpha below the cutoff is absent")
     r.region_mean(areas[2], red, 1e-5, "alpha at the cutoff is opaque")
@@ -121,7 +121,7 @@ def _half_shadow(g, e):
                                      (6.0, 5.4, 4.8)), share)
         rect = view.around((x, 0, 0), 0.15)
         r.region_mean(rect, view.average(rect, radiance, 12), 0.002,
-                      "shadow rays pass two half sheets one time in four" if share < 1 else "no sheet in the way of the light")
+                      "shadow rays pass two half sheets one time in four" if share < 1 else "no sheet in the way")
 
 
 def double_sided():

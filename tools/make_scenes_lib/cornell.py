@@ -149,6 +149,6 @@ def mis_plates():
                                                 steps=20))
             return total
         rect = view.around(add(centre, (x, 0, 0)), 0.06, 0.02)
-        r.region_mean(rect, view.average(rect, reflection, 6), 0.03,
+        r.region_mean(rect, view.average(rect, reflection, 4), 0.03,
                       f"all four lamps in the plate of roughness {roughness:g}, by quadrature over their cones")
     return g, e

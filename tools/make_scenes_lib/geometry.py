@@ -204,8 +204,8 @@ def vertex_attributes():
                                                            texture=g.texture_use(texture, 1))))]
     nodes = [g.node(name, mesh=g.mesh(name, p), translation=(i - 1.5, 0, 0)) for i, (name, p) in enumerate(kinds)]
     g.scene("measured", *nodes, g.orthographic("front", (0, 0, 5), (0, 0, 0), 2.0, 0.5))
-    e = Expectations("vertex colours of every component type, and the second set of texture coordinates", "diffuse")
-    e.parity_options("--scene", "1", "--env", "none", "--max-depth", "1")
+    e = Expectations("vertex colours of every component type, and the second set of texture coordinates")
+    e.parity_options("--max-depth", "3")
     view = View((0, 0, 5), (0, 0, 0), (96, 24), ymag=0.5)
     r = e.render("unlit tiles", view.size, "--scene", "1", "--env", "none", "--max-depth", "1", spp=16)
     for i, (name, _) in enumerate(kinds):

@@ -63,7 +63,7 @@ def _furnace_tiles(g, e, materials):
             half = 0.34 / (2 * ymag)
             r.region_mean(view.around(centre, half, half * math.cos(angle)),
                           brdf.albedo(material, math.cos(angle), 48),
-                          0.006, f"directional albedo of base {base[0]:g}, metallic {metallic:g}, roughness {roughness:g}")
+                          0.006, f"albedo of base {base[0]:g}, metallic {metallic:g}, roughness {roughness:g}")
     g.scene("tiles", *nodes, *cameras)
 
 

@@ -60,8 +60,8 @@ class Gallery:
         size = (32 * self.columns, 32 * self.rows)
         ymag = tall / 2
         g.scene("measured", *self.plain, g.orthographic("front", (0, 0, 5), (0, 0, 0), wide / 2, ymag))
-        e = Expectations(about, "diffuse")
-        e.parity_options("--scene", "1", "--env", "none", "--max-depth", "1")
+        e = Expectations(about)
+        e.parity_options("--env", "0.7,0.8,1", "--max-depth", "3")
         view = View((0, 0, 5), (0, 0, 0), size, ymag=ymag)
         return e, view, e.render("unlit tiles", size, "--scene", "1", "--env", "none", "--max-depth", "1", spp=16)
 
