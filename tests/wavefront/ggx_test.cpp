@@ -20,11 +20,6 @@ struct Out {
     glm::vec4 sampled;
 };
 
-glm::vec3 atCosine(float cosine, float turns) {
-    const float s = std::sqrt((1 - cosine) * (1 + cosine));
-    return {s * std::cos(6.2831853F * turns), s * std::sin(6.2831853F * turns), cosine};
-}
-
 /// Every alpha from the delta limit to 1, directions from the normal to grazing, normals about the peak and far off.
 std::vector<In> grid() {
     std::vector<In> inputs;

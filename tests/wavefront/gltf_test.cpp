@@ -27,11 +27,6 @@ struct Out {
     float pSpecular;
 };
 
-glm::vec3 atCosine(float cosine, float turns) {
-    const float s = std::sqrt((1 - cosine) * (1 + cosine));
-    return {s * std::cos(6.2831853F * turns), s * std::sin(6.2831853F * turns), cosine};
-}
-
 constexpr glm::vec3 kBases[] = {{0.8F, 0.5F, 0.05F}, {1, 1, 1}, {0, 0, 0}, {1, 0, 0}};
 
 /// Directions from the normal to grazing; wi at random, near the mirror direction, and nearly opposite at the horizon.

@@ -32,6 +32,12 @@ private:
     std::mt19937 engine_;
 };
 
+/// The direction whose z is `cosine`, at `turns` around it.
+[[nodiscard]] inline glm::vec3 atCosine(float cosine, float turns) {
+    const float s = std::sqrt((1 - cosine) * (1 + cosine));
+    return {s * std::cos(6.2831853F * turns), s * std::sin(6.2831853F * turns), cosine};
+}
+
 /// |actual - expected| <= absolute + relative |expected| in every component; false for NaN.
 template <int N, class A, class B>
 [[nodiscard]] testing::AssertionResult isNear(const glm::vec<N, A>& actual, const glm::vec<N, B>& expected,

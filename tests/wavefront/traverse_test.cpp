@@ -59,8 +59,8 @@ struct Tolerance {
 
 /// Every ray meets the same triangle at the same distance on both sides, but for rays through edges: those are counted.
 /// Of triangles at equal t both name the same one.
-Counts compareHits(const SceneArrays& arrays, const std::vector<In>& inputs, const Tolerance& tolerance) {
-    const auto out = ProbeScene(arrays).evaluate<Out>("traverse", inputs);
+Counts compareHits(const SceneArrays& arrays, const std::vector<In>& inputs, const std::vector<Out>& out,
+                   const Tolerance& tolerance) {
     Counts counts;
     for (std::size_t i = 0; i < inputs.size() && !testing::Test::HasFailure(); ++i) {
         SCOPED_TRACE(i);
@@ -99,6 +99,7 @@ double edgeShare(const std::string& set) {
 }
 
 TEST_F(TraverseProbe, SoupsAndMeshesOfEveryKindEqualReference) {
+    Fetch form = Fetch::Storage;
     for (const NamedTriangles& set : allSets()) {
         if (set.name == "line") continue;  // no areas: flatten drops such triangles, their hits are noise
         SCOPED_TRACE(set.name);
@@ -106,7 +107,10 @@ TEST_F(TraverseProbe, SoupsAndMeshesOfEveryKindEqualReference) {
         buildBvh(arrays);
         const bool thin = set.name == "slivers" || set.name == "nested";
         const auto inputs = inputsOf(raysAt(set.triangles, 1000, Aim::Inside));
-        const Counts counts = compareHits(arrays, inputs, thin ? Tolerance{3e-2, 0.02F} : Tolerance{});
+        form = form == Fetch::Texel ? Fetch::Storage : Fetch::Texel;  // in turn: compiling twenty times costs enough
+        const ProbeScene scene(arrays);
+        const auto out = evaluate<Out>("traverse", inputs, scene.options(form));
+        const Counts counts = compareHits(arrays, inputs, out, thin ? Tolerance{3e-2, 0.02F} : Tolerance{});
         EXPECT_LE(counts.edges, static_cast<int>(static_cast<double>(inputs.size()) * edgeShare(set.name)));
     }
 }
@@ -145,7 +149,7 @@ TEST_F(TraverseProbe, AlphaDecisionsEqualReference) {
     const SceneArrays arrays = makeArrays(makeFoliage(), {.instancing = false});
     ASSERT_TRUE(arrays.features.alpha && arrays.instances.empty());
     const auto inputs = raysThrough(arrays, 6000, 60);
-    const Counts counts = compareHits(arrays, inputs, {});
+    const Counts counts = compareHits(arrays, inputs, ProbeScene(arrays).evaluate<Out>("traverse", inputs), {});
     EXPECT_GT(counts.hits, 2000);
     EXPECT_LE(counts.edges, 6);
 }
@@ -154,7 +158,8 @@ TEST_F(TraverseProbe, TwoLevelsWithAlphaEqualReference) {
     const SceneArrays arrays = makeArrays(makeFoliage(), {.instancing = true, .instancingThreshold = 0});
     ASSERT_TRUE(arrays.features.alpha && arrays.features.instances);
     const auto inputs = raysThrough(arrays, 6000, 61);
-    const Counts counts = compareHits(arrays, inputs, {2e-4, 1e-4F, false});
+    const Counts counts =
+        compareHits(arrays, inputs, ProbeScene(arrays).evaluate<Out>("traverse", inputs), {2e-4, 1e-4F, false});
     EXPECT_GT(counts.hits, 2000);
     EXPECT_LE(counts.edges, 6);
 }
@@ -176,15 +181,17 @@ std::vector<In> raysAtInstances(const SceneArrays& arrays, int count, std::uint3
 TEST_F(TraverseProbe, TwoLevelsOfUnevenlyScaledInstancesEqualReference) {
     const SceneArrays arrays = makeArrays(makePatches(), {.instancing = true, .instancingThreshold = 0});
     const auto inputs = raysAtInstances(arrays, 6000, 62);
-    const Counts counts = compareHits(arrays, inputs, {2e-4, 1e-3F, false});
+    const Counts counts =
+        compareHits(arrays, inputs, ProbeScene(arrays).evaluate<Out>("traverse", inputs), {2e-4, 1e-3F, false});
     EXPECT_GT(counts.hits, 1500);
     EXPECT_LE(counts.edges, 12);
 }
 
 TEST_F(TraverseProbe, OfInstancesAtEqualDistanceTheFirstWins) {
-    Scene scene = makePatches();
-    const std::vector<MeshInstance> once = scene.instances;
-    for (int copy = 0; copy < 3; ++copy) scene.instances.insert(scene.instances.end(), once.begin(), once.end());
+    Scene scene;
+    scene.materials.push_back(makeMaterial({1, 1, 1}, 0, 1));
+    // Enough copies to fill several nodes, which rays of opposite directions visit in opposite order.
+    addObject(scene, makePatch(3, 0), std::vector<glm::mat4>(60, makeTransform({1, 2, 3}, 30, {1, 1, 0}, {2, 1, 1})));
     const SceneArrays arrays = makeArrays(scene, {.instancing = true, .instancingThreshold = 0});
     const auto inputs = raysAtInstances(arrays, 3000, 64);
     const auto out = ProbeScene(arrays).evaluate<Out>("traverse", inputs);
@@ -193,10 +200,10 @@ TEST_F(TraverseProbe, OfInstancesAtEqualDistanceTheFirstWins) {
         const auto expected = reference::closestHit(arrays, {inputs[i].origin, inputs[i].direction}, 0);
         if (!expected || out[i].slot == kNone) continue;
         ++hits;
-        others += out[i].instance != expected->instance ? 1 : 0;
+        others += out[i].instance != 0 || expected->instance != 0 ? 1 : 0;
     }
     EXPECT_GT(hits, 700);
-    EXPECT_LE(others, 3) << "rays through edges may tell";
+    EXPECT_EQ(others, 0);
 }
 
 TEST_F(TraverseProbe, AHitAtTheEndOfTheRayDoesNotCount) {
