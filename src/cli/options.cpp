@@ -63,7 +63,7 @@ void addSceneFile(CLI::App& app, SceneOptions& options, bool required) {
 }
 
 void addSceneOptions(CLI::App& app, SceneOptions& options) {
-    addParsed(app, "--size", options.size, parseSize, "WxH", "size of the picture in pixels (default: 960x540)");
+    addParsed(app, "--size", options.size, parseSize, "WxH", "size of the picture in pixels (default: 960x540, or 540 rows of the aspect ratio that the file's camera states)");
     addCameraOptions(app, options);
     addLightOptions(app, options);
 }

@@ -18,7 +18,7 @@ namespace vkpt {
 struct SceneOptions {
     std::filesystem::path file;
     int sceneIndex = -1;  ///< -1: the file's default scene
-    glm::uvec2 size{960, 540};
+    std::optional<glm::uvec2> size;  ///< else 540 rows: as wide as the camera of the file states, or 960
     std::string camera;  ///< name or index; empty: the file's first, else framed
     std::optional<glm::vec3> eye, target, orbit;
     std::optional<float> fov;  ///< degrees, vertical

@@ -4,6 +4,8 @@
 #include <oneapi/tbb/global_control.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+#include <cmath>
 #include <future>
 #include <memory>
 
@@ -62,22 +64,35 @@ void useFileCamera(RenderParams& params, const Scene& scene, Camera camera, std:
     fromCamera(params, scene, camera);
 }
 
-/// The camera asked for, else the file's first, else one that sees everything. Sets the frame's size first.
+/// The camera of the file that is asked for, else its first; null where the command line or the scene decides.
+const Camera* fileCamera(const Scene& scene, const SceneOptions& options) {
+    if (options.eye || options.orbit) return nullptr;
+    if (options.target) throw usageError("--target", "needs --eye or --orbit");
+    if (!options.camera.empty()) return &findCamera(scene, options.camera);
+    return scene.cameras.empty() ? nullptr : &scene.cameras.front();
+}
+
+/// The size asked for, else 540 rows of the camera's aspect ratio.
+glm::uvec2 frameSize(const std::optional<glm::uvec2>& size, const Camera* camera) {
+    constexpr float kRows = 540, kColumns = 960, kMost = 65535;
+    if (size) return *size;
+    if (!camera || !camera->aspect) return {kColumns, kRows};
+    return {std::clamp(std::round(kRows * *camera->aspect), 1.0F, kMost), kRows};
+}
+
 void setCamera(RenderParams& params, const Scene& scene, const SceneArrays& arrays, const SceneOptions& options) {
-    params.width = options.size.x;
-    params.height = options.size.y;
+    const Camera* camera = fileCamera(scene, options);
+    const glm::uvec2 size = frameSize(options.size, camera);
+    params.width = size.x;
+    params.height = size.y;
     const glm::vec3 target = options.target.value_or((arrays.boundsMin + arrays.boundsMax) / 2.0F);
     const float fov = options.fov.value_or(kDefaultFov);
-    if (options.eye)
+    if (camera)
+        useFileCamera(params, scene, *camera, options.fov);
+    else if (options.eye)
         lookAt(params, *options.eye, target, fov);
     else if (options.orbit)
         orbit(params, options.orbit->x, options.orbit->y, options.orbit->z, target, fov);
-    else if (options.target)
-        throw usageError("--target", "needs --eye or --orbit");
-    else if (!options.camera.empty())
-        useFileCamera(params, scene, findCamera(scene, options.camera), options.fov);
-    else if (!scene.cameras.empty())
-        useFileCamera(params, scene, scene.cameras.front(), options.fov);
     else
         frameScene(params, arrays, fov);
 }

@@ -51,8 +51,8 @@ EmissiveTexture::EmissiveTexture(const SceneArrays& arrays, const TextureRecord&
         for (std::int64_t y = row * size; y < (row + 1) * size; ++y) {
             const std::uint32_t* in = arrays.texels.data() + texture.texels + y * width;
             for (std::int64_t x = 0; x < width; ++x)
-                out[x / size] += luminance(factor * glm::vec3(decode[in[x] & 255U], decode[in[x] >> 8U & 255U],
-                                                              decode[in[x] >> 16U & 255U]));
+                out[x / size] += luminance(
+                    factor * glm::vec3(decode[in[x] & 255U], decode[in[x] >> 8U & 255U], decode[in[x] >> 16U & 255U]));
         }
         for (std::int64_t x = 0; x < width_; ++x) out[x] /= static_cast<float>(size * size);
     });

@@ -23,7 +23,7 @@ private:
     [[nodiscard]] float at(const glm::vec2& p) const;
 
     TextureRecord texture_;
-    std::int64_t width_, height_;    // in blocks
+    std::int64_t width_, height_;   // in blocks
     std::vector<float> luminance_;  // a value a block, row by row
 };
 

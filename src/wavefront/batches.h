@@ -15,8 +15,7 @@ struct Band {
 [[nodiscard]] inline std::vector<Band> makeBands(std::uint32_t width, std::uint32_t height, std::uint64_t maxPixels) {
     const auto rows = static_cast<std::uint32_t>(std::clamp<std::uint64_t>(maxPixels / width, 1, height));
     std::vector<Band> bands;
-    for (std::uint32_t y = 0; y < height; y += rows)
-        bands.push_back({y * width, std::min(rows, height - y) * width});
+    for (std::uint32_t y = 0; y < height; y += rows) bands.push_back({y * width, std::min(rows, height - y) * width});
     return bands;
 }
 

@@ -16,8 +16,8 @@ struct BatchParams {
 };
 
 inline constexpr std::uint32_t kGroupSize = 64;
-inline constexpr std::uint32_t kStateArrays = 10;   ///< 16-byte words a path
-inline constexpr std::uint32_t kQueueArrays = 5;    ///< two ray queues, hits, misses, shadow: uints a path
+inline constexpr std::uint32_t kStateArrays = 10;  ///< 16-byte words a path
+inline constexpr std::uint32_t kQueueArrays = 5;   ///< two ray queues, hits, misses, shadow: uints a path
 
 enum class Queue : std::uint32_t { Ray, Hit, Miss, Shadow };
 inline constexpr std::uint32_t kQueues = 4;

@@ -45,7 +45,8 @@ bool useTexels(const Device& device, WavefrontConfig::Fetch fetch, std::size_t b
         throw DeviceError(fmt::format("the scene needs {} MiB in one buffer; {} binds at most {} MiB", bytes >> 20,
                                       device.info().name,
                                       std::max<std::uint64_t>(device.info().limits.maxStorageBufferRange,
-                                                              device.info().limits.maxTexelBufferElements * 16) >> 20));
+                                                              device.info().limits.maxTexelBufferElements * 16) >>
+                                          20));
     if (fetch == WavefrontConfig::Fetch::Texel && !texelsFit)
         throw DeviceError("--fetch texel: the scene exceeds the device's maxTexelBufferElements; use storage");
     if (fetch == WavefrontConfig::Fetch::Storage && !storageFits)
@@ -110,8 +111,8 @@ WavefrontRenderer::Impl::Impl(const SceneArrays& arrays, const RenderOptions& re
       recorder(device, config.timings ? 4 * kBouncesPerSubmit + 4 : 0),
       pathsPerBatch(capacity) {
     if (counterBlocks() > kMaxBounceBlocks)
-        throw Error(ExitCode::Usage, fmt::format("--max-depth {}: at most {}", options.params.maxDepth,
-                                                 kMaxBounceBlocks - 2));
+        throw Error(ExitCode::Usage,
+                    fmt::format("--max-depth {}: at most {}", options.params.maxDepth, kMaxBounceBlocks - 2));
     const auto start = Clock::now();
     createBuffers(arrays);
     uploadSeconds = secondsSince(start);
@@ -145,7 +146,8 @@ void WavefrontRenderer::Impl::createBuffers(const SceneArrays& arrays) {
     std::memcpy(freshCounters.map().data(), fresh.data(), fresh.size() * sizeof(QueueCounter));
     uploadScene(device, scene, arrays, layout.header);
     for (const Band& band : bandList) {
-        FilmBand b{band, Buffer(device, BufferUse::Storage, std::size_t{band.pixelCount} * sizeof(FilmSums), "film"), {}};
+        FilmBand b{
+            band, Buffer(device, BufferUse::Storage, std::size_t{band.pixelCount} * sizeof(FilmSums), "film"), {}};
         const std::array<Binding, 6> bindings = {frame, texels ? dummy : scene, sceneTexels, state, counters, b.film};
         b.group = BindGroup(device, kernels.generate, bindings);
         bands.push_back(std::move(b));
@@ -251,9 +253,14 @@ void WavefrontRenderer::Impl::renderPass(std::uint32_t firstSample, std::uint32_
     for (const FilmBand& band : bands) {
         std::uint32_t done = 0;
         while (done < band.band.pixelCount) {
-            const std::uint32_t pixels = std::min(band.band.pixelCount - done, std::max(pathsPerBatch / sampleCount, 1U));
-            renderBatch(band, {.firstPixel = band.band.firstPixel + done, .pixelCount = pixels,
-                               .firstSample = firstSample, .sampleCount = sampleCount}, stats);
+            const std::uint32_t pixels =
+                std::min(band.band.pixelCount - done, std::max(pathsPerBatch / sampleCount, 1U));
+            renderBatch(band,
+                        {.firstPixel = band.band.firstPixel + done,
+                         .pixelCount = pixels,
+                         .firstSample = firstSample,
+                         .sampleCount = sampleCount},
+                        stats);
             done += pixels;
             if (!device.info().isCpu && batchSeconds > kSubmitSeconds)
                 pathsPerBatch = std::max(pathsPerBatch / 2, 4096U);

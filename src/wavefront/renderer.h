@@ -17,12 +17,12 @@ class Device;
 struct WavefrontConfig {
     enum class Fetch { Auto, Texel, Storage };
 
-    std::string device;              ///< "", an index, or a part of a name
-    bool validation = false;         ///< validation layers
-    Fetch fetch = Fetch::Auto;       ///< how kernels read the scene
-    std::uint32_t pathsInFlight = 0; ///< 0: 262,144
-    bool timings = false;            ///< measure each stage
-    bool ballot = true;              ///< compact by subgroup ballot where the device has it
+    std::string device;               ///< "", an index, or a part of a name
+    bool validation = false;          ///< validation layers
+    Fetch fetch = Fetch::Auto;        ///< how kernels read the scene
+    std::uint32_t pathsInFlight = 0;  ///< 0: 262,144
+    bool timings = false;             ///< measure each stage
+    bool ballot = true;               ///< compact by subgroup ballot where the device has it
 };
 
 struct StageStats {

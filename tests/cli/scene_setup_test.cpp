@@ -51,6 +51,17 @@ TEST_F(SceneSetup, NoneIsNone) {
     EXPECT_FALSE(prepare().arrays.features.environment);
 }
 
+TEST_F(SceneSetup, SizeFollowsTheCameraOfTheFile) {
+    scene_.size.reset();
+    EXPECT_EQ(prepare().options.params.width, 960U);
+    EXPECT_EQ(prepare().options.params.height, 540U);
+    scene_.file = VKPT_SCENES "/cornell_box/scene.gltf";  // its camera states an aspect ratio of 1
+    EXPECT_EQ(prepare().options.params.width, 540U);
+    EXPECT_EQ(prepare().options.params.height, 540U);
+    scene_.eye = glm::vec3(0, 1, 3);
+    EXPECT_EQ(prepare().options.params.width, 960U);
+}
+
 TEST_F(SceneSetup, EyeWithoutTargetLooksAtTheMiddle) {
     scene_.eye = glm::vec3(0.5F, 0.5F, 4);
     const RenderParams params = prepare().options.params;
