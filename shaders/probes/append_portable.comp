@@ -1,0 +1,5 @@
+#version 460
+// Compaction on devices without subgroup ballot.
+#extension GL_GOOGLE_include_directive : require
+#define VKPT_NO_BALLOT
+#include "probes/append.glsl"
