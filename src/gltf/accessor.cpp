@@ -12,49 +12,28 @@ namespace {
 // Accessors without bytes behind them are zeros: nothing in the file vouches for their count.
 constexpr std::size_t kMaxZeros = std::size_t{1} << 24;
 
-std::uint32_t componentCount(const Document& document, std::size_t index, const std::string& type) {
-    if (type == "SCALAR") return 1;
-    if (type == "VEC2") return 2;
-    if (type == "VEC3") return 3;
-    if (type == "VEC4") return 4;
-    document.fail("accessors[{}].type: {} where a scalar or vector is needed", index, type);
+std::uint32_t componentCount(const Document& document, std::size_t index, int type) {
+    if (type >= TINYGLTF_TYPE_MAT2 && type <= TINYGLTF_TYPE_MAT4)
+        document.fail("accessors[{}].type: MAT{} where a scalar or vector is needed", index,
+                      type - TINYGLTF_TYPE_MAT2 + 2);
+    return static_cast<std::uint32_t>(tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(type)));
 }
 
-Component componentType(const Document& document, const std::string& place, const Json& object) {
-    const auto type = member(object, "componentType").get<std::size_t>();
-    switch (type) {
-        case 5120:
-        case 5121:
-        case 5122:
-        case 5123:
-        case 5125:
-        case 5126:
-            return static_cast<Component>(type);
-        default:
-            document.fail("{}.componentType: {} is none of glTF's", place, type);
-    }
+std::size_t componentSize(int type) {
+    return static_cast<std::size_t>(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(type)));
 }
 
-std::size_t componentSize(Component component) {
-    switch (component) {
-        case Component::Int8:
-        case Component::UInt8:
-            return 1;
-        case Component::Int16:
-        case Component::UInt16:
-            return 2;
-        case Component::UInt32:
-        case Component::Float:
-            return 4;
-    }
-    return 0;
+bool isUnsigned(int type) {
+    return type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE || type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
+           type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
 }
 
 // Points `span` at its bytes and proves that they are there.
 void attach(const Document& document, const std::string& place, ElementSpan& span, std::size_t elementSize,
             std::size_t view, std::size_t offset) {
     const auto bytes = document.bufferView(view);
-    const std::size_t stride = valueOr(document.item("bufferViews", view), "byteStride", elementSize);
+    const std::size_t stated = document.model().bufferViews[view].byteStride;
+    const std::size_t stride = stated > 0 ? stated : elementSize;
     if (stride < elementSize)
         document.fail("bufferViews[{}].byteStride: {} is less than the {} bytes of an element of {}", view, stride,
                       elementSize, place);
@@ -71,41 +50,41 @@ void attach(const Document& document, const std::string& place, ElementSpan& spa
     span.stride = stride;
 }
 
-void openSparse(const Document& document, const std::string& place, const Json& sparse, Accessor& accessor) {
-    const Json& indices = member(sparse, "indices");
-    const Json& values = member(sparse, "values");
-    const auto count = member(sparse, "count").get<std::size_t>();
+void openSparse(const Document& document, const std::string& place, const tinygltf::Accessor& source,
+                Accessor& accessor) {
+    const auto& indices = source.sparse.indices;
+    const auto& values = source.sparse.values;
+    const auto count = static_cast<std::size_t>(source.sparse.count);
     if (count > accessor.count())
         document.fail("{}.sparse.count: {} is more than the accessor's {}", place, count, accessor.count());
 
-    accessor.sparseIndices = {nullptr, count, 0, componentType(document, place + ".sparse.indices", indices), false};
-    const Component type = accessor.sparseIndices.component;
-    if (type != Component::UInt8 && type != Component::UInt16 && type != Component::UInt32)
+    accessor.sparseIndices = {nullptr, count, 0, indices.componentType, false};
+    if (!isUnsigned(indices.componentType))
         document.fail("{}.sparse.indices.componentType: must be an unsigned integer", place);
-    attach(document, place + ".sparse.indices", accessor.sparseIndices, componentSize(type),
-           member(indices, "bufferView").get<std::size_t>(), valueOr(indices, "byteOffset", std::size_t{0}));
+    attach(document, place + ".sparse.indices", accessor.sparseIndices, componentSize(indices.componentType),
+           static_cast<std::size_t>(indices.bufferView), static_cast<std::size_t>(indices.byteOffset));
 
-    accessor.sparseValues = {nullptr, count, 0, accessor.dense.component, accessor.dense.normalized};
+    accessor.sparseValues = {nullptr, count, 0, accessor.dense.componentType, accessor.dense.normalized};
     attach(document, place + ".sparse.values", accessor.sparseValues,
-           componentSize(accessor.dense.component) * accessor.components,
-           member(values, "bufferView").get<std::size_t>(), valueOr(values, "byteOffset", std::size_t{0}));
+           componentSize(accessor.dense.componentType) * accessor.components,
+           static_cast<std::size_t>(values.bufferView), static_cast<std::size_t>(values.byteOffset));
 }
 
-// Calls `visit` with a value of the C++ type behind `component`.
+// Calls `visit` with a value of the C++ type behind `componentType`.
 template <typename Visit>
-void dispatch(Component component, Visit&& visit) {
-    switch (component) {
-        case Component::Int8:
+void dispatch(int componentType, Visit&& visit) {
+    switch (componentType) {
+        case TINYGLTF_COMPONENT_TYPE_BYTE:
             return visit(std::int8_t{});
-        case Component::UInt8:
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
             return visit(std::uint8_t{});
-        case Component::Int16:
+        case TINYGLTF_COMPONENT_TYPE_SHORT:
             return visit(std::int16_t{});
-        case Component::UInt16:
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
             return visit(std::uint16_t{});
-        case Component::UInt32:
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
             return visit(std::uint32_t{});
-        case Component::Float:
+        case TINYGLTF_COMPONENT_TYPE_FLOAT:
             return visit(float{});
     }
 }
@@ -139,7 +118,7 @@ template <typename V, typename Slot>
 void convert(const ElementSpan& span, std::size_t first, std::size_t count, V* out, Slot&& slot) {
     const std::byte* from = span.data + first * span.stride;
     const std::size_t stride = span.stride;
-    dispatch(span.component, [&](auto sample) {
+    dispatch(span.componentType, [&](auto sample) {
         using T = decltype(sample);
         if (span.normalized)
             for (std::size_t i = 0; i < count; ++i) out[slot(i)] = loadVector<V, T, true>(from + i * stride);
@@ -151,7 +130,7 @@ void convert(const ElementSpan& span, std::size_t first, std::size_t count, V* o
 std::vector<std::uint32_t> loadIntegers(const ElementSpan& span) {
     std::vector<std::uint32_t> values(span.count);
     if (span.data == nullptr) return values;
-    dispatch(span.component, [&](auto sample) {
+    dispatch(span.componentType, [&](auto sample) {
         using T = decltype(sample);
         for (std::size_t i = 0; i < span.count; ++i)
             values[i] = static_cast<std::uint32_t>(load<T>(span.data + i * span.stride));
@@ -176,26 +155,24 @@ std::vector<std::uint32_t> sparsePositions(const Document& document, const Acces
 }  // namespace
 
 Accessor openAccessor(const Document& document, std::size_t index) {
-    const Json& object = document.item("accessors", index);
+    const tinygltf::Accessor& source = document.model().accessors[index];
     const std::string place = fmt::format("accessors[{}]", index);
     Accessor accessor;
     accessor.index = index;
-    accessor.components = componentCount(document, index, member(object, "type").get_ref<const std::string&>());
-    accessor.dense.count = member(object, "count").get<std::size_t>();
-    accessor.dense.component = componentType(document, place, object);
-    accessor.dense.normalized = valueOr(object, "normalized", false);
+    accessor.components = componentCount(document, index, source.type);
+    accessor.dense.count = source.count;
+    accessor.dense.componentType = source.componentType;
+    accessor.dense.normalized = source.normalized;
 
-    const Json& view = member(object, "bufferView");
-    if (!view.is_null()) {
-        attach(document, place, accessor.dense, componentSize(accessor.dense.component) * accessor.components,
-               view.get<std::size_t>(), valueOr(object, "byteOffset", std::size_t{0}));
+    if (source.bufferView >= 0) {
+        attach(document, place, accessor.dense, componentSize(accessor.dense.componentType) * accessor.components,
+               static_cast<std::size_t>(source.bufferView), source.byteOffset);
     } else if (accessor.count() > kMaxZeros) {
         document.fail("{}: states {} elements without a bufferView; at most {} are taken", place, accessor.count(),
                       kMaxZeros);
     }
-    const Json& sparse = member(object, "sparse");
-    if (!sparse.is_null()) {
-        openSparse(document, place, sparse, accessor);
+    if (source.sparse.isSparse) {
+        openSparse(document, place, source, accessor);
         accessor.sparseAt = sparsePositions(document, accessor);
     }
     return accessor;
@@ -222,9 +199,7 @@ template std::vector<glm::vec3> readVectors(const Accessor&, std::size_t, std::s
 template std::vector<glm::vec4> readVectors(const Accessor&, std::size_t, std::size_t);
 
 std::vector<std::uint32_t> readIndices(const Document& document, const Accessor& accessor) {
-    const Component type = accessor.dense.component;
-    if (accessor.components != 1 || accessor.dense.normalized ||
-        (type != Component::UInt8 && type != Component::UInt16 && type != Component::UInt32))
+    if (accessor.components != 1 || accessor.dense.normalized || !isUnsigned(accessor.dense.componentType))
         document.fail("accessors[{}]: indices must be unsigned scalars", accessor.index);
     std::vector<std::uint32_t> values = loadIntegers(accessor.dense);
     const std::vector<std::uint32_t> replaced = loadIntegers(accessor.sparseValues);

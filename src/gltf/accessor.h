@@ -8,21 +8,11 @@
 
 namespace vkpt::gltf {
 
-/// What a component is stored as; the values are glTF's.
-enum class Component : std::uint32_t {
-    Int8 = 5120,
-    UInt8 = 5121,
-    Int16 = 5122,
-    UInt16 = 5123,
-    UInt32 = 5125,
-    Float = 5126,
-};
-
 /// Elements in memory: `count` of them, `stride` bytes apart, wholly inside their buffer view.
 struct ElementSpan {
     const std::byte* data = nullptr;  ///< null: all zeros
     std::size_t count = 0, stride = 0;
-    Component component = Component::Float;
+    int componentType = TINYGLTF_COMPONENT_TYPE_FLOAT;
     bool normalized = false;
 };
 

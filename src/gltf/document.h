@@ -1,26 +1,21 @@
-// A glTF file in memory: its JSON, checked against the schema, and the bytes of its buffers.
+// A glTF file in memory: tinygltf's model of it, checked, with the bytes of its buffers.
 #pragma once
 #include <fmt/format.h>
 
 #include <cstddef>
 #include <filesystem>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "gltf/tinygltf.h"
+
 namespace vkpt::gltf {
 
 using Json = nlohmann::json;
-
-/// Bytes that were never filled with zeros first.
-struct Bytes {
-    std::unique_ptr<std::byte[]> data;
-    std::size_t size = 0;
-    [[nodiscard]] std::span<const std::byte> view() const { return {data.get(), size}; }
-};
+using Bytes = std::vector<unsigned char>;
 
 /// Reads the whole of a regular file, or throws FileError(`blamed`, place + reason).
 [[nodiscard]] Bytes readFile(const std::filesystem::path& file, const std::string& blamed, std::string_view place);
@@ -38,10 +33,7 @@ class Document {
 public:
     explicit Document(const std::filesystem::path& file);
 
-    [[nodiscard]] const Json& root() const { return json_; }
-    /// Items of one of the root's arrays; none where it is absent.
-    [[nodiscard]] std::size_t count(std::string_view section) const;
-    [[nodiscard]] const Json& item(std::string_view section, std::size_t index) const;
+    [[nodiscard]] const tinygltf::Model& model() const { return model_; }
     /// The bytes of bufferViews[index], whole.
     [[nodiscard]] std::span<const std::byte> bufferView(std::size_t index) const;
     /// The bytes behind an image's or buffer's uri.
@@ -55,30 +47,13 @@ public:
 
 private:
     [[noreturn]] void throwFault(const std::string& fault) const;
-    void parse();
-    void loadBuffers();
+    [[nodiscard]] Json parse(std::span<const unsigned char> text) const;
 
     std::filesystem::path file_;
-    Bytes content_;
-    std::span<const std::byte> jsonChunk_, binChunk_;
-    bool hasBinChunk_ = false;
-    Json json_;
-    std::vector<Bytes> loaded_;                        ///< owners of the buffers that are not the BIN chunk
-    std::vector<std::span<const std::byte>> buffers_;  ///< empty where a buffer has no data
+    tinygltf::Model model_;
 };
 
 /// `object[key]`, or null where it is absent.
 [[nodiscard]] const Json& member(const Json& object, std::string_view key);
-/// `object[key]` as a T, or `fallback` where it or the object is absent. The schema has checked the type.
-template <typename T>
-[[nodiscard]] T valueOr(const Json& object, std::string_view key, T fallback) {
-    const Json& value = member(object, key);
-    return value.is_null() ? fallback : value.template get<T>();
-}
-[[nodiscard]] inline std::string textOr(const Json& object, std::string_view key, const char* fallback) {
-    return valueOr<std::string>(object, key, fallback);
-}
-/// `object.extensions[name]`, or null.
-[[nodiscard]] const Json& extension(const Json& object, std::string_view name);
 
 }  // namespace vkpt::gltf

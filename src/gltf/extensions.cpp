@@ -16,35 +16,36 @@ bool isHonoured(std::string_view name) {
 }
 
 bool hasMorphTargets(const Document& document) {
-    for (std::size_t i = 0; i < document.count("meshes"); ++i)
-        for (const Json& primitive : member(document.item("meshes", i), "primitives"))
-            if (!member(primitive, "targets").empty()) return true;
+    for (const tinygltf::Mesh& mesh : document.model().meshes)
+        for (const tinygltf::Primitive& primitive : mesh.primitives)
+            if (!primitive.targets.empty()) return true;
     return false;
 }
 
 }  // namespace
 
-void reportExtensions(const Document& document, Scene& scene) {
-    const Json& required = member(document.root(), "extensionsRequired");
-    const auto isRequired = [&](const std::string& name) {
-        return std::find(required.begin(), required.end(), name) != required.end();
-    };
-    std::vector<std::string> names = member(document.root(), "extensionsUsed").is_null()
-                                         ? std::vector<std::string>()
-                                         : member(document.root(), "extensionsUsed").get<std::vector<std::string>>();
-    for (const Json& name : required) {
+void requireSupported(const Document& document, const Json& root) {
+    for (const Json& name : member(root, "extensionsRequired"))
         if (!isHonoured(name.get_ref<const std::string&>()))
             document.fail("extensionsRequired: needs {}, which vkpt does not support", name.get<std::string>());
-        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name.get<std::string>());
-    }
+}
+
+void reportExtensions(const Document& document, Scene& scene) {
+    const auto holds = [](const std::vector<std::string>& names, const std::string& name) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    const std::vector<std::string>& required = document.model().extensionsRequired;
+    std::vector<std::string> names = document.model().extensionsUsed;
+    for (const std::string& name : required)
+        if (!holds(names, name)) names.push_back(name);
     for (const std::string& name : names) {
         const bool honoured = isHonoured(name);
-        scene.extensions.push_back({name, honoured ? "honoured" : "ignored", isRequired(name)});
+        scene.extensions.push_back({name, honoured ? "honoured" : "ignored", holds(required, name)});
         if (!honoured) scene.warnings.push_back(fmt::format("{} is not supported and is ignored", name));
     }
 
-    if (document.count("animations") > 0) scene.ignored.emplace_back("animations");
-    if (document.count("skins") > 0) scene.ignored.emplace_back("skins");
+    if (!document.model().animations.empty()) scene.ignored.emplace_back("animations");
+    if (!document.model().skins.empty()) scene.ignored.emplace_back("skins");
     if (hasMorphTargets(document)) scene.ignored.emplace_back("morph targets");
     for (const std::string& feature : scene.ignored)
         scene.warnings.push_back(fmt::format("{} are not supported; the scene is shown as it is stored", feature));

@@ -12,8 +12,6 @@
 namespace vkpt::gltf {
 namespace {
 
-constexpr std::size_t kLastMode = static_cast<std::size_t>(Mode::TriangleFan);
-
 /// The vertices that the primitive's triangles use lie in [first, first + count): many primitives may share one
 /// accessor, so only this range is read.
 struct VertexRange {
@@ -22,8 +20,9 @@ struct VertexRange {
 
 class PrimitiveReader {
 public:
-    PrimitiveReader(const Document& document, const Json& object, std::string place, std::vector<std::string>& warnings)
-        : document_(document), object_(object), place_(std::move(place)), warnings_(warnings) {}
+    PrimitiveReader(const Document& document, const tinygltf::Primitive& source, std::string place,
+                    std::vector<std::string>& warnings)
+        : document_(document), source_(source), place_(std::move(place)), warnings_(warnings) {}
 
     std::optional<Primitive> read(const Material& material, Skipped& skipped);
 
@@ -40,7 +39,7 @@ private:
     void finishShading(Primitive& primitive, const Material& material) const;
 
     const Document& document_;
-    const Json& object_;
+    const tinygltf::Primitive& source_;
     std::string place_;
     std::vector<std::string>& warnings_;
     std::optional<Accessor> positions_;
@@ -50,13 +49,13 @@ private:
 /// Opens an attribute and checks what the specification demands of all of them; none where it is absent.
 std::optional<Accessor> PrimitiveReader::openAttribute(const char* name, std::uint32_t least,
                                                        std::uint32_t most) const {
-    const Json& index = member(member(object_, "attributes"), name);
-    if (index.is_null()) return std::nullopt;
-    Accessor accessor = openAccessor(document_, index.get<std::size_t>());
+    const auto index = source_.attributes.find(name);
+    if (index == source_.attributes.end()) return std::nullopt;
+    Accessor accessor = openAccessor(document_, static_cast<std::size_t>(index->second));
     if (accessor.components < least || accessor.components > most)
         document_.fail("{}.attributes.{}: accessors[{}] has {} components, not {}", place_, name, accessor.index,
                        accessor.components, least);
-    if (accessor.dense.component == Component::UInt32)
+    if (accessor.dense.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)
         document_.fail("{}.attributes.{}: accessors[{}] holds 32-bit integers, which only indices may", place_, name,
                        accessor.index);
     if (positions_ && accessor.count() != positions_->count())
@@ -68,13 +67,12 @@ std::optional<Accessor> PrimitiveReader::openAttribute(const char* name, std::ui
 /// Indices of the vertices in drawing order.
 std::vector<std::uint32_t> PrimitiveReader::vertexOrder() const {
     std::vector<std::uint32_t> order;
-    const Json& indices = member(object_, "indices");
-    if (indices.is_null()) {
+    if (source_.indices < 0) {
         order.resize(positions_->count());
         std::iota(order.begin(), order.end(), 0U);
         return order;
     }
-    const Accessor accessor = openAccessor(document_, indices.get<std::size_t>());
+    const Accessor accessor = openAccessor(document_, static_cast<std::size_t>(source_.indices));
     order = readIndices(document_, accessor);
     const auto past =
         std::find_if(order.begin(), order.end(), [&](std::uint32_t i) { return i >= positions_->count(); });
@@ -157,9 +155,9 @@ void PrimitiveReader::finishShading(Primitive& primitive, const Material& materi
 }
 
 std::optional<Primitive> PrimitiveReader::read(const Material& material, Skipped& skipped) {
-    const std::size_t modeNumber = valueOr(object_, "mode", static_cast<std::size_t>(Mode::Triangles));
-    if (modeNumber > kLastMode) document_.fail("{}.mode: {} is none of glTF's", place_, modeNumber);
-    const Mode mode = static_cast<Mode>(modeNumber);
+    if (source_.mode > TINYGLTF_MODE_TRIANGLE_FAN)
+        document_.fail("{}.mode: {} is none of glTF's", place_, source_.mode);
+    const Mode mode = static_cast<Mode>(source_.mode);
 
     positions_ = openAttribute("POSITION", 3, 3);
     if (!positions_) {
@@ -191,8 +189,8 @@ std::optional<Primitive> PrimitiveReader::read(const Material& material, Skipped
 
 std::optional<Primitive> readPrimitive(const Document& document, std::size_t mesh, std::size_t index,
                                        const Material& material, Skipped& skipped, std::vector<std::string>& warnings) {
-    const Json& object = member(document.item("meshes", mesh), "primitives")[index];
-    return PrimitiveReader(document, object, fmt::format("meshes[{}].primitives[{}]", mesh, index), warnings)
+    return PrimitiveReader(document, document.model().meshes[mesh].primitives[index],
+                           fmt::format("meshes[{}].primitives[{}]", mesh, index), warnings)
         .read(material, skipped);
 }
 

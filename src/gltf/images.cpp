@@ -14,20 +14,10 @@ bool startsWith(std::span<const std::byte> bytes, std::initializer_list<unsigned
 }  // namespace
 
 TextureImage loadImage(const Document& document, std::size_t index, std::vector<std::string>& warnings) {
-    const Json& object = document.item("images", index);
+    const tinygltf::Image& encoded = document.model().images[index];
     const std::string place = fmt::format("images[{}]", index);
-    const Json& uri = member(object, "uri");
-    const Json& view = member(object, "bufferView");
-    if (uri.is_null() && view.is_null()) document.fail("{}: has neither uri nor bufferView", place);
-
-    Bytes loaded;
-    std::span<const std::byte> bytes;
-    if (!uri.is_null()) {
-        loaded = document.readUri(uri.get_ref<const std::string&>(), place);
-        bytes = loaded.view();
-    } else {
-        bytes = document.bufferView(view.get<std::size_t>());
-    }
+    const Bytes loaded = encoded.as_is ? Bytes() : document.readUri(encoded.uri, place);
+    const auto bytes = std::as_bytes(std::span(encoded.as_is ? encoded.image : loaded));
 
     // The bytes decide, not mimeType: files in the wild mislabel.
     TextureImage image;
@@ -38,7 +28,7 @@ TextureImage loadImage(const Document& document, std::size_t index, std::vector<
         image = decodeJpeg(bytes, fault);
     else
         fault = "is neither PNG nor JPEG";
-    image.name = textOr(object, "name", "");
+    image.name = encoded.name;
     if (image.texels.empty()) document.fail("{}: {}", place, fault);
     if (!fault.empty()) warnings.push_back(fmt::format("{}: {}", place, fault));
     return image;

@@ -20,7 +20,7 @@ using namespace gltf;
 struct PrimitiveTask {
     std::size_t meshIndex = 0, primitive = 0;  // in the file
     std::uint32_t mesh = 0;                    // in the Scene
-    std::optional<std::size_t> material;       // in the file; none: the default
+    int material = -1;                         // in the file; -1: the default
 };
 
 constexpr std::uint32_t kUnused = 0xffffffffU;
@@ -42,7 +42,7 @@ private:
     void readMaterials();
     void readGeometryAndImages();
     [[nodiscard]] std::uint32_t materialOf(const PrimitiveTask& task) const {
-        return task.material ? materialNumber_[*task.material] : defaultMaterial_;
+        return task.material >= 0 ? materialNumber_[task.material] : defaultMaterial_;
     }
 
     const Document& document_;
@@ -54,39 +54,32 @@ private:
 
 void Importer::placeMeshes(const std::vector<PlacedNode>& placed) {
     constexpr std::uint32_t kWanted = 0;
-    std::vector<std::uint32_t> number(document_.count("meshes"), kUnused);
-    for (const PlacedNode& node : placed) {
-        const Json& mesh = member(document_.item("nodes", node.node), "mesh");
-        if (!mesh.is_null()) number[mesh.get<std::size_t>()] = kWanted;
-    }
+    const tinygltf::Model& model = document_.model();
+    std::vector<std::uint32_t> number(model.meshes.size(), kUnused);
+    for (const PlacedNode& node : placed)
+        if (const int mesh = model.nodes[node.node].mesh; mesh >= 0) number[mesh] = kWanted;
     for (std::size_t i = 0; i < number.size(); ++i) {
         if (number[i] == kUnused) continue;
         number[i] = static_cast<std::uint32_t>(scene_.meshes.size());
-        const Json& mesh = document_.item("meshes", i);
-        scene_.meshes.push_back({textOr(mesh, "name", ""), {}});
-        const Json& primitives = member(mesh, "primitives");
-        for (std::size_t p = 0; p < primitives.size(); ++p) {
-            const Json& material = member(primitives[p], "material");
-            tasks_.push_back(
-                {i, p, number[i], material.is_null() ? std::nullopt : std::optional(material.get<std::size_t>())});
-        }
+        scene_.meshes.push_back({model.meshes[i].name, {}});
+        const auto& primitives = model.meshes[i].primitives;
+        for (std::size_t p = 0; p < primitives.size(); ++p) tasks_.push_back({i, p, number[i], primitives[p].material});
     }
     for (const PlacedNode& node : placed) {
-        const Json& object = document_.item("nodes", node.node);
-        const Json& mesh = member(object, "mesh");
-        if (mesh.is_null()) continue;
-        const std::uint32_t index = number[mesh.get<std::size_t>()];
-        const std::string name = textOr(object, "name", "");
-        scene_.instances.push_back({name.empty() ? scene_.meshes[index].name : name, index, glm::mat4(node.world)});
+        const tinygltf::Node& source = model.nodes[node.node];
+        if (source.mesh < 0) continue;
+        const std::uint32_t index = number[source.mesh];
+        const std::string& name = source.name.empty() ? scene_.meshes[index].name : source.name;
+        scene_.instances.push_back({name, index, glm::mat4(node.world)});
     }
 }
 
 void Importer::readMaterials() {
-    materialNumber_.assign(document_.count("materials"), kUnused);
+    materialNumber_.assign(document_.model().materials.size(), kUnused);
     bool needsDefault = tasks_.empty();
     for (const PrimitiveTask& task : tasks_) {
-        if (task.material)
-            materialNumber_[*task.material] = 0;
+        if (task.material >= 0)
+            materialNumber_[task.material] = 0;
         else
             needsDefault = true;
     }

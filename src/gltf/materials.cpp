@@ -5,29 +5,35 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
+#include "gltf/model.h"
+
 namespace vkpt::gltf {
 namespace {
 
-constexpr std::size_t kNearest = 9728, kClampToEdge = 33071, kMirroredRepeat = 33648, kRepeat = 10497;
-constexpr std::size_t kUvSets = 2;
+constexpr int kUvSets = 2;
 
 template <glm::length_t n>
-glm::vec<n, float> vectorOr(const Json& object, std::string_view key, glm::vec<n, float> fallback) {
-    const Json& value = member(object, key);
-    if (value.is_null()) return fallback;
-    for (glm::length_t i = 0; i < n; ++i) fallback[i] = value[static_cast<std::size_t>(i)].template get<float>();
-    return fallback;
+glm::vec<n, float> toVector(const std::vector<double>& values) {
+    glm::vec<n, float> result;
+    for (glm::length_t i = 0; i < n; ++i) result[i] = static_cast<float>(values[static_cast<std::size_t>(i)]);
+    return result;
 }
 
-float unit(float value) { return std::clamp(value, 0.0F, 1.0F); }
+glm::vec2 vectorOr(const tinygltf::Value& object, const std::string& key, glm::vec2 fallback) {
+    if (!object.Has(key)) return fallback;
+    const tinygltf::Value& v = object.Get(key);
+    return {v.Get(0).GetNumberAsDouble(), v.Get(1).GetNumberAsDouble()};
+}
 
-Wrap wrapMode(const Document& document, std::size_t sampler, const char* key) {
-    switch (valueOr(document.item("samplers", sampler), key, kRepeat)) {
-        case kRepeat:
+float unit(double value) { return std::clamp(static_cast<float>(value), 0.0F, 1.0F); }
+
+Wrap wrapMode(const Document& document, int sampler, const char* key, int mode) {
+    switch (mode) {
+        case TINYGLTF_TEXTURE_WRAP_REPEAT:
             return Wrap::Repeat;
-        case kClampToEdge:
+        case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE:
             return Wrap::ClampToEdge;
-        case kMirroredRepeat:
+        case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT:
             return Wrap::MirroredRepeat;
         default:
             document.fail("samplers[{}].{}: is no wrap mode of glTF", sampler, key);
@@ -36,49 +42,46 @@ Wrap wrapMode(const Document& document, std::size_t sampler, const char* key) {
 
 // The affine map translate(offset) rotate(rotation) scale(scale) as rows. Rotation is counter-clockwise as seen with V
 // pointing down, as KHR_texture_transform's text and its reference viewer have it.
-void applyTransform(const Json& transform, TextureUse& use) {
+void applyTransform(const tinygltf::Value& transform, TextureUse& use) {
     const auto offset = vectorOr(transform, "offset", glm::vec2(0));
     const auto scale = vectorOr(transform, "scale", glm::vec2(1));
-    const float angle = valueOr<float>(transform, "rotation", 0);
+    const auto angle = static_cast<float>(numberOr(transform, "rotation", 0));
     const float c = std::cos(angle), s = std::sin(angle);
     use.rowU = {c * scale.x, s * scale.y, offset.x};
     use.rowV = {-s * scale.x, c * scale.y, offset.y};
 }
 
 // Reads a material's texture slot; leaves `use` empty where the slot is absent or cannot be read.
-void readSlot(const Document& document, const std::string& place, const Json& owner, std::string_view slot,
+template <typename TextureInfo>
+void readSlot(const Document& document, const std::string& place, std::string_view slot, const TextureInfo& info,
               TextureUse& use, std::vector<std::string>& warnings) {
-    const Json& info = member(owner, slot);
-    if (info.is_null()) return;
-    const Json& transform = extension(info, "KHR_texture_transform");
-    const std::size_t uvSet = valueOr(transform, "texCoord", valueOr(info, "texCoord", std::size_t{0}));
+    if (info.index < 0) return;
+    const tinygltf::Value& transform = extension(info.extensions, "KHR_texture_transform");
+    const int uvSet = static_cast<int>(numberOr(transform, "texCoord", info.texCoord));
     if (uvSet >= kUvSets) {
         warnings.push_back(
             fmt::format("{}.{}: left out; TEXCOORD_{} is not supported, only 0 and 1", place, slot, uvSet));
         return;
     }
-    const auto textureIndex = member(info, "index").get<std::size_t>();
-    const Json& texture = document.item("textures", textureIndex);
-    const Json& source = member(texture, "source");
-    if (source.is_null()) {
+    const tinygltf::Model& model = document.model();
+    const tinygltf::Texture& texture = model.textures[info.index];
+    if (texture.source < 0) {
         warnings.push_back(
-            fmt::format("{}.{}: left out; textures[{}] has no PNG or JPEG source", place, slot, textureIndex));
+            fmt::format("{}.{}: left out; textures[{}] has no PNG or JPEG source", place, slot, info.index));
         return;
     }
-    use.image = source.get<int>();
+    use.image = texture.source;
     use.uvSet = static_cast<std::uint32_t>(uvSet);
-    const Json& sampler = member(texture, "sampler");
-    if (!sampler.is_null()) {
-        const auto index = sampler.get<std::size_t>();
-        use.wrapS = wrapMode(document, index, "wrapS");
-        use.wrapT = wrapMode(document, index, "wrapT");
-        use.nearest = valueOr(document.item("samplers", index), "magFilter", std::size_t{0}) == kNearest;
+    if (texture.sampler >= 0) {
+        const tinygltf::Sampler& sampler = model.samplers[texture.sampler];
+        use.wrapS = wrapMode(document, texture.sampler, "wrapS", sampler.wrapS);
+        use.wrapT = wrapMode(document, texture.sampler, "wrapT", sampler.wrapT);
+        use.nearest = sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
     }
-    if (!transform.is_null()) applyTransform(transform, use);
+    if (transform.IsObject()) applyTransform(transform, use);
 }
 
-AlphaMode alphaMode(const Document& document, const std::string& place, const Json& object) {
-    const std::string mode = textOr(object, "alphaMode", "OPAQUE");
+AlphaMode alphaMode(const Document& document, const std::string& place, const std::string& mode) {
     if (mode == "OPAQUE") return AlphaMode::Opaque;
     if (mode == "MASK") return AlphaMode::Mask;
     if (mode == "BLEND") return AlphaMode::Blend;
@@ -93,32 +96,34 @@ std::array<TextureUse*, 4> slots(Material& material) {
 }  // namespace
 
 Material readMaterial(const Document& document, std::size_t index, std::vector<std::string>& warnings) {
-    const Json& object = document.item("materials", index);
-    const Json& pbr = member(object, "pbrMetallicRoughness");
+    const tinygltf::Material& source = document.model().materials[index];
+    const tinygltf::PbrMetallicRoughness& pbr = source.pbrMetallicRoughness;
     const std::string place = fmt::format("materials[{}]", index);
     Material material;
-    material.name = textOr(object, "name", "");
-    material.baseColor = glm::clamp(vectorOr(pbr, "baseColorFactor", glm::vec4(1)), 0.0F, 1.0F);
-    material.metallic = unit(valueOr<float>(pbr, "metallicFactor", 1));
-    material.roughness = unit(valueOr<float>(pbr, "roughnessFactor", 1));
-    const float strength = valueOr<float>(extension(object, "KHR_materials_emissive_strength"), "emissiveStrength", 1);
-    material.emissive = glm::max(vectorOr(object, "emissiveFactor", glm::vec3(0)) * strength, 0.0F);
-    material.normalScale = valueOr<float>(member(object, "normalTexture"), "scale", 1);
-    material.alphaMode = alphaMode(document, place, object);
-    material.alphaCutoff = std::max(valueOr<float>(object, "alphaCutoff", 0.5F), 0.0F);
-    material.doubleSided = valueOr(object, "doubleSided", false);
-    material.unlit = !extension(object, "KHR_materials_unlit").is_null();
+    material.name = source.name;
+    material.baseColor = glm::clamp(toVector<4>(pbr.baseColorFactor), 0.0F, 1.0F);
+    material.metallic = unit(pbr.metallicFactor);
+    material.roughness = unit(pbr.roughnessFactor);
+    const double strength =
+        numberOr(extension(source.extensions, "KHR_materials_emissive_strength"), "emissiveStrength", 1);
+    material.emissive = glm::max(toVector<3>(source.emissiveFactor) * static_cast<float>(strength), 0.0F);
+    material.normalScale = static_cast<float>(source.normalTexture.scale);
+    material.alphaMode = alphaMode(document, place, source.alphaMode);
+    material.alphaCutoff = std::max(static_cast<float>(source.alphaCutoff), 0.0F);
+    material.doubleSided = source.doubleSided;
+    material.unlit = source.extensions.contains("KHR_materials_unlit");
 
     const std::string pbrPlace = place + ".pbrMetallicRoughness";
-    readSlot(document, pbrPlace, pbr, "baseColorTexture", material.baseColorTexture, warnings);
-    readSlot(document, pbrPlace, pbr, "metallicRoughnessTexture", material.metallicRoughnessTexture, warnings);
-    readSlot(document, place, object, "normalTexture", material.normalTexture, warnings);
-    readSlot(document, place, object, "emissiveTexture", material.emissiveTexture, warnings);
+    readSlot(document, pbrPlace, "baseColorTexture", pbr.baseColorTexture, material.baseColorTexture, warnings);
+    readSlot(document, pbrPlace, "metallicRoughnessTexture", pbr.metallicRoughnessTexture,
+             material.metallicRoughnessTexture, warnings);
+    readSlot(document, place, "normalTexture", source.normalTexture, material.normalTexture, warnings);
+    readSlot(document, place, "emissiveTexture", source.emissiveTexture, material.emissiveTexture, warnings);
     return material;
 }
 
 std::vector<std::size_t> collectImages(const Document& document, std::vector<Material>& materials) {
-    std::vector<int> position(document.count("images"), -1);
+    std::vector<int> position(document.model().images.size(), -1);
     for (Material& material : materials)
         for (const TextureUse* use : slots(material))
             if (use->image >= 0) position[static_cast<std::size_t>(use->image)] = 0;

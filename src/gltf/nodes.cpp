@@ -1,5 +1,6 @@
 #include "gltf/nodes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -8,29 +9,22 @@
 namespace vkpt::gltf {
 namespace {
 
-glm::dvec3 vectorOr(const Json& node, std::string_view key, double fallback) {
-    const Json& v = member(node, key);
-    if (v.is_null()) return glm::dvec3(fallback);
-    return {v[0].get<double>(), v[1].get<double>(), v[2].get<double>()};
+glm::dvec3 vectorOr(const std::vector<double>& v, double fallback) {
+    return v.empty() ? glm::dvec3(fallback) : glm::make_vec3(v.data());
 }
 
-glm::dquat rotationOf(const Json& node) {
-    const Json& r = member(node, "rotation");
-    if (r.is_null()) return {1, 0, 0, 0};
-    const glm::dquat q(r[3].get<double>(), r[0].get<double>(), r[1].get<double>(), r[2].get<double>());
+glm::dquat rotationOf(const tinygltf::Node& node) {
+    if (node.rotation.empty()) return {1, 0, 0, 0};
+    const auto& r = node.rotation;
+    const glm::dquat q(r[3], r[0], r[1], r[2]);
     return glm::dot(q, q) > 0 ? glm::normalize(q) : glm::dquat(1, 0, 0, 0);
 }
 
 /// The node's matrix, or translation * rotation * scale. [glTF 2.0, §3.5.3]
-glm::dmat4 localTransform(const Json& node) {
-    const Json& matrix = member(node, "matrix");
-    if (!matrix.is_null()) {
-        glm::dmat4 m;
-        for (std::size_t i = 0; i < 16; ++i) glm::value_ptr(m)[i] = matrix[i].get<double>();
-        return m;
-    }
-    const glm::dmat4 moved = glm::translate(glm::dmat4(1), vectorOr(node, "translation", 0));
-    return glm::scale(moved * glm::mat4_cast(rotationOf(node)), vectorOr(node, "scale", 1));
+glm::dmat4 localTransform(const tinygltf::Node& node) {
+    if (!node.matrix.empty()) return glm::make_mat4(node.matrix.data());
+    const glm::dmat4 moved = glm::translate(glm::dmat4(1), vectorOr(node.translation, 0));
+    return glm::scale(moved * glm::mat4_cast(rotationOf(node)), vectorOr(node.scale, 1));
 }
 
 bool fitsFloat(const glm::dmat4& m) {
@@ -40,41 +34,38 @@ bool fitsFloat(const glm::dmat4& m) {
     return true;
 }
 
-std::vector<std::size_t> nodesWithoutParent(const Document& document) {
-    const std::size_t n = document.count("nodes");
-    std::vector<bool> isChild(n, false);
-    for (std::size_t i = 0; i < n; ++i)
-        for (const Json& child : member(document.item("nodes", i), "children"))
-            isChild[child.get<std::size_t>()] = true;
-    std::vector<std::size_t> roots;
-    for (std::size_t i = 0; i < n; ++i)
-        if (!isChild[i]) roots.push_back(i);
-    if (roots.empty() && n > 0) document.fail("nodes: every node is the child of another; there is a cycle");
+std::vector<int> nodesWithoutParent(const Document& document) {
+    const auto& nodes = document.model().nodes;
+    std::vector<bool> isChild(nodes.size(), false);
+    for (const tinygltf::Node& node : nodes)
+        for (const int child : node.children) isChild[child] = true;
+    std::vector<int> roots;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        if (!isChild[i]) roots.push_back(static_cast<int>(i));
+    if (roots.empty() && !nodes.empty()) document.fail("nodes: every node is the child of another; there is a cycle");
     return roots;
 }
 
-std::vector<std::size_t> rootsOf(const Document& document, int scene, std::vector<std::string>& warnings) {
-    const std::size_t scenes = document.count("scenes");
+std::vector<int> rootsOf(const Document& document, int scene, std::vector<std::string>& warnings) {
+    const tinygltf::Model& model = document.model();
+    const std::size_t scenes = model.scenes.size();
     if (scene >= 0 && static_cast<std::size_t>(scene) >= scenes)
         document.fail("scene {} does not exist; the file has {}", scene, scenes);
     if (scenes == 0) {
         warnings.emplace_back("the file has no scene; all its nodes are shown");
         return nodesWithoutParent(document);
     }
-    const std::size_t chosen =
-        scene >= 0 ? static_cast<std::size_t>(scene) : valueOr(document.root(), "scene", std::size_t{0});
-    std::vector<std::size_t> roots;
-    for (const Json& node : member(document.item("scenes", chosen), "nodes")) roots.push_back(node.get<std::size_t>());
-    return roots;
+    return model.scenes[scene >= 0 ? scene : std::max(model.defaultScene, 0)].nodes;
 }
 
 }  // namespace
 
 std::vector<PlacedNode> placeNodes(const Document& document, int scene, std::vector<std::string>& warnings) {
-    const std::vector<std::size_t> roots = rootsOf(document, scene, warnings);
-    std::vector<bool> reached(document.count("nodes"), false);
+    const std::vector<int> roots = rootsOf(document, scene, warnings);
+    std::vector<bool> reached(document.model().nodes.size(), false);
     std::vector<PlacedNode> placed, pending;  // pending: a stack, so that depth costs no recursion
-    for (auto root = roots.rbegin(); root != roots.rend(); ++root) pending.push_back({*root, glm::dmat4(1)});
+    for (auto root = roots.rbegin(); root != roots.rend(); ++root)
+        pending.push_back({static_cast<std::size_t>(*root), glm::dmat4(1)});
     while (!pending.empty()) {
         PlacedNode next = pending.back();
         pending.pop_back();
@@ -82,12 +73,11 @@ std::vector<PlacedNode> placeNodes(const Document& document, int scene, std::vec
             document.fail("nodes[{}]: is reached twice; nodes must form a tree, without cycles or shared children",
                           next.node);
         reached[next.node] = true;
-        const Json& node = document.item("nodes", next.node);
+        const tinygltf::Node& node = document.model().nodes[next.node];
         next.world = next.world * localTransform(node);
         if (!fitsFloat(next.world)) document.fail("nodes[{}]: its transform is not finite", next.node);
-        const Json& children = member(node, "children");
-        for (auto child = children.rbegin(); child != children.rend(); ++child)
-            pending.push_back({child->get<std::size_t>(), next.world});
+        for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
+            pending.push_back({static_cast<std::size_t>(*child), next.world});
         placed.push_back(next);
     }
     return placed;

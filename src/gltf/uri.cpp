@@ -1,8 +1,5 @@
 // URIs of glTF files: relative references and embedded data.
-#include <array>
 #include <cctype>
-#include <cstdint>
-#include <cstring>
 
 #include "base/error.h"
 #include "gltf/document.h"
@@ -49,19 +46,6 @@ bool hasScheme(std::string_view uri) {
     return true;
 }
 
-constexpr std::uint8_t kNoDigit = 255;
-
-constexpr std::array<std::uint8_t, 256> makeBase64Table() {
-    std::array<std::uint8_t, 256> table{};
-    table.fill(kNoDigit);
-    constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    for (std::size_t i = 0; i < kAlphabet.size(); ++i)
-        table[static_cast<unsigned char>(kAlphabet[i])] = static_cast<std::uint8_t>(i);
-    table[static_cast<unsigned char>('-')] = 62;  // the URL-safe alphabet
-    table[static_cast<unsigned char>('_')] = 63;
-    return table;
-}
-
 }  // namespace
 
 std::filesystem::path resolveUri(std::string_view uri, const std::filesystem::path& folder, const std::string& blamed,
@@ -80,34 +64,24 @@ std::filesystem::path resolveUri(std::string_view uri, const std::filesystem::pa
 }
 
 Bytes decodeDataUri(std::string_view uri, const std::string& blamed, std::string_view place) {
-    static constexpr auto kTable = makeBase64Table();
     const auto refuse = [&](std::string_view reason) {
         throw FileError(blamed, fmt::format("{}: data URI {}", place, reason));
     };
     const std::size_t comma = uri.find(',');
     if (comma == std::string_view::npos) refuse("has no data");
-    if (!uri.substr(0, comma).ends_with(";base64")) {
-        const std::string plain = percentDecode(uri.substr(comma + 1));
-        Bytes bytes{std::make_unique_for_overwrite<std::byte[]>(plain.size()), plain.size()};
-        std::memcpy(bytes.data.get(), plain.data(), plain.size());
-        return bytes;
-    }
     std::string_view text = uri.substr(comma + 1);
+    if (!uri.substr(0, comma).ends_with(";base64")) {
+        const std::string plain = percentDecode(text);
+        return {plain.begin(), plain.end()};
+    }
     while (text.ends_with('=')) text.remove_suffix(1);
     if (text.size() % 4 == 1) refuse("is cut short");
 
-    Bytes bytes{std::make_unique_for_overwrite<std::byte[]>(text.size() / 4 * 3 + 3), 0};
-    std::uint32_t pending = 0;
-    int bits = 0;
-    for (const char c : text) {
-        const std::uint8_t digit = kTable[static_cast<unsigned char>(c)];
-        if (digit == kNoDigit) refuse("holds a character that is not base64");
-        pending = pending << 6 | digit;
-        bits += 6;
-        if (bits < 8) continue;
-        bits -= 8;
-        bytes.data[bytes.size++] = static_cast<std::byte>(pending >> bits);
-    }
+    // tinygltf knows few media types and stops in silence at what is not base64.
+    Bytes bytes;
+    std::string ignored;
+    tinygltf::DecodeDataURI(&bytes, ignored, fmt::format("data:application/octet-stream;base64,{}", text), 0, false);
+    if (bytes.size() != text.size() * 3 / 4) refuse("holds a character that is not base64");
     return bytes;
 }
 

@@ -86,6 +86,14 @@ TEST(Accessor, InterleavedAttributesShareAView) {
     EXPECT_EQ(p.uv0.at(1), glm::vec2(.3F, .4F));
 }
 
+TEST(Accessor, AnyStrideIsRead) {
+    Builder b;
+    std::vector<std::int16_t> packed = {0, 0, 0, 300, 0, 0, 0, -300, 0};
+    b.primitive({{"POSITION", b.accessor(packed, "VEC3", 3)}});
+    b.json["bufferViews"][0]["byteStride"] = 6;
+    EXPECT_EQ(b.importPrimitive().positions.at(2), glm::vec3(0, -300, 0));
+}
+
 TEST(Accessor, UnalignedOffsetsAreRead) {
     Builder b;
     std::vector<std::uint8_t> bytes(37);

@@ -86,6 +86,15 @@ TEST_F(DocumentTest, RefusesShortBuffers) {
     EXPECT_THAT(faultOfUri("data:;base64,QUJ*"), HasSubstr("not base64"));
 }
 
+TEST_F(DocumentTest, TakesBuffersLongerThanStated) {
+    ByteVector longer = builder.bytes();
+    longer.resize(longer.size() + 5);
+    folder.write("longer.bin", longer);
+    EXPECT_EQ(triangleCount(importGltf(folder.write("a.gltf", withBufferUri(builder, "longer.bin")))), 1U);
+    const std::string uri = "data:any/thing;charset=x;base64," + base64(longer);
+    EXPECT_EQ(triangleCount(importGltf(folder.write("b.gltf", withBufferUri(builder, uri)))), 1U);
+}
+
 TEST_F(DocumentTest, EveryTruncationOfAGlbIsRefused) {
     const ByteVector whole = builder.glb();
     for (std::size_t size = 0; size < whole.size(); ++size)
@@ -145,6 +154,21 @@ TEST_F(DocumentTest, TakesIntegersInFloatingPointForm) {
     builder.json["accessors"][0]["count"] = 3.0;
     builder.json["accessors"][0]["componentType"] = 5126.0;
     EXPECT_EQ(triangleCount(builder.import()), 1U);
+}
+
+TEST_F(DocumentTest, RefusesIntegersThatWouldWrapAround) {
+    builder.json["meshes"][0]["primitives"][0]["mode"] = 4294967300;  // 2^32 + 4
+    EXPECT_THAT(faultOf(builder), HasSubstr("meshes[0].primitives[0].mode: must be an integer from 0 to 2147483647"));
+}
+
+TEST_F(DocumentTest, DeepJsonThatNothingReadsDoesNoHarm) {
+    const std::string deep = std::string(200000, '[') + std::string(200000, ']');
+    builder.json["meshes"][0]["primitives"][0]["targets"] = "DEEP";
+    builder.json["asset"]["extras"] = "DEEP";
+    std::string text = builder.text();
+    for (std::size_t at = text.find("\"DEEP\""); at != std::string::npos; at = text.find("\"DEEP\"", at))
+        text.replace(at, 6, deep);
+    EXPECT_EQ(triangleCount(importGltf(folder.write("scene.gltf", text))), 1U);
 }
 
 TEST_F(DocumentTest, RequiredExtensionsMustBeSupported) {

@@ -10,6 +10,7 @@ find_package(OpenEXR REQUIRED)
 find_package(TBB REQUIRED)
 find_package(Vulkan REQUIRED)
 find_package(JPEG REQUIRED)
+find_path(VKPT_TINYGLTF tiny_gltf.h REQUIRED)  # header only: src/gltf/tinygltf.cpp compiles it
 pkg_check_modules(spng REQUIRED IMPORTED_TARGET spng)
 pkg_check_modules(stb REQUIRED IMPORTED_TARGET stb)
 
