@@ -109,7 +109,9 @@ Json Document::parse(std::span<const unsigned char> text) const {
 
 std::span<const std::byte> Document::bufferView(std::size_t index) const {
     const tinygltf::BufferView& view = model_.bufferViews[index];
-    return std::as_bytes(std::span(model_.buffers[view.buffer].data)).subspan(view.byteOffset, view.byteLength);
+    const Bytes& bytes = model_.buffers[view.buffer].data;
+    if (bytes.empty()) fail("buffers[{}]: has no data, but bufferViews[{}] reads it", view.buffer, index);
+    return std::as_bytes(std::span(bytes)).subspan(view.byteOffset, view.byteLength);
 }
 
 Bytes Document::readUri(std::string_view uri, std::string_view place) const {

@@ -6,15 +6,20 @@
 namespace vkpt::gltf {
 namespace {
 
-/// What tinygltf's callback needs to fetch a buffer.
+/// The file as it stands, for tinygltf's callback too.
 struct Source {
     const Document& document;
     const Json& root;
     std::optional<std::span<const unsigned char>> bin;
+    /// False: a buffer that only an ignored extension fills. An error where something reads it.
+    [[nodiscard]] bool hasData(std::size_t buffer) const {
+        return root["buffers"][buffer].contains("uri") || (buffer == 0 && bin);
+    }
 };
 
 // What tinygltf takes on trust or would refuse without saying where.
-void check(const Document& document, const Json& root) {
+void check(const Source& source) {
+    const auto& [document, root, bin] = source;
     static constexpr std::array kTypes = {"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"};
     static constexpr std::array kComponents = {5120, 5121, 5122, 5123, 5125, 5126};
     const auto each = [&](const char* section, auto&& visit) {
@@ -40,6 +45,11 @@ void check(const Document& document, const Json& root) {
     each("images", [&](std::size_t i, const Json& image) {
         if (!image.contains("uri") && !image.contains("bufferView"))
             document.fail("images[{}]: has neither uri nor bufferView", i);
+        if (image.contains("uri")) return;
+        const auto view = image["bufferView"].get<std::size_t>();
+        const auto buffer = root["bufferViews"][view]["buffer"].get<std::size_t>();
+        if (!source.hasData(buffer))
+            document.fail("buffers[{}]: has no data, but bufferViews[{}] reads it", buffer, view);
     });
     each("cameras", [&](std::size_t i, const Json& camera) {
         const auto& type = camera["type"].get_ref<const std::string&>();
@@ -52,9 +62,12 @@ void check(const Document& document, const Json& root) {
 // indices without a buffer view, cameras without clipping planes, spots that are all default, skins (emptied by the
 // schema). URIs are vkpt's own matter: tinygltf takes + for a space, looks in the working directory too and knows few
 // data URIs.
-std::string palatable(Json root) {
-    std::size_t name = 0;
-    for (Json& buffer : root["buffers"]) buffer["uri"] = std::to_string(name++);
+std::string palatable(const Source& source) {
+    Json root = source.root;
+    for (std::size_t i = 0; i < root["buffers"].size(); ++i) {
+        if (!source.hasData(i)) root["buffers"][i]["byteLength"] = 1;
+        root["buffers"][i]["uri"] = std::to_string(i);
+    }
     for (Json& view : root["bufferViews"]) view.erase("byteStride");
     for (Json& mesh : root["meshes"])
         for (Json& primitive : mesh["primitives"]) primitive.erase("indices");
@@ -67,7 +80,10 @@ std::string palatable(Json root) {
 }
 
 // Puts back what `palatable` took away.
-void restore(const Json& root, tinygltf::Model& model) {
+void restore(const Source& source, tinygltf::Model& model) {
+    const Json& root = source.root;
+    for (std::size_t i = 0; i < model.buffers.size(); ++i)
+        if (!source.hasData(i)) model.buffers[i].data.clear();
     for (std::size_t i = 0; i < model.bufferViews.size(); ++i)
         model.bufferViews[i].byteStride = root["bufferViews"][i].value("byteStride", std::size_t{0});
     for (std::size_t i = 0; i < model.meshes.size(); ++i)
@@ -77,18 +93,21 @@ void restore(const Json& root, tinygltf::Model& model) {
 }
 
 bool readBuffer(Bytes* bytes, std::string*, const std::string& name, void* user) {
-    const auto& [document, root, bin] = *static_cast<const Source*>(user);
-    const std::string place = fmt::format("buffers[{}]", name);
-    const Json& buffer = root["buffers"][std::stoul(name)];
+    const Source& source = *static_cast<const Source*>(user);
+    const std::size_t index = std::stoul(name);
+    const std::string place = fmt::format("buffers[{}]", index);
+    const Json& buffer = source.root["buffers"][index];
+    if (!source.hasData(index)) {
+        bytes->resize(1);  // tinygltf knows no empty buffers
+        return true;
+    }
     if (buffer.contains("uri"))
-        *bytes = document.readUri(buffer["uri"].get_ref<const std::string&>(), place);
-    else if (name == "0" && bin)
-        bytes->assign(bin->begin(), bin->end());
+        *bytes = source.document.readUri(buffer["uri"].get_ref<const std::string&>(), place);
     else
-        document.fail("{}: has no data", place);
+        bytes->assign(source.bin->begin(), source.bin->end());
     const auto stated = buffer["byteLength"].get<std::size_t>();
     if (stated > bytes->size())
-        document.fail("{}: states {} bytes, but its data holds {}", place, stated, bytes->size());
+        source.document.fail("{}: states {} bytes, but its data holds {}", place, stated, bytes->size());
     bytes->resize(stated);
     return true;
 }
@@ -105,19 +124,19 @@ bool keepEncoded(tinygltf::Image* image, int, std::string*, std::string*, int, i
 
 tinygltf::Model loadModel(const Document& document, const Json& root,
                           std::optional<std::span<const unsigned char>> bin) {
-    check(document, root);
     Source source{document, root, bin};
+    check(source);
     tinygltf::TinyGLTF loader;
     loader.SetFsCallbacks({[](const std::string&, void*) { return true; },
                            [](const std::string& name, void*) { return name; }, readBuffer, nullptr, &source});
     loader.SetImageLoader(keepEncoded, nullptr);
 
-    const std::string text = palatable(root);
+    const std::string text = palatable(source);
     tinygltf::Model model;
     std::string error, warning;
     if (!loader.LoadASCIIFromString(&model, &error, &warning, text.data(), static_cast<unsigned>(text.size()), ""))
         document.fail("{}", error.substr(0, error.find('\n')));
-    restore(root, model);
+    restore(source, model);
     return model;
 }
 

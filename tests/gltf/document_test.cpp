@@ -95,6 +95,18 @@ TEST_F(DocumentTest, TakesBuffersLongerThanStated) {
     EXPECT_EQ(triangleCount(importGltf(folder.write("b.gltf", withBufferUri(builder, uri)))), 1U);
 }
 
+TEST_F(DocumentTest, BuffersWithoutDataAreFaultsOnlyWhereTheyAreRead) {
+    builder.json["buffers"] = {{{"byteLength", 36}}};
+    const auto file = folder.write("a.gltf", builder.json.dump());
+    EXPECT_THAT(faultOf([&] { (void)importGltf(file); }),
+                HasSubstr("buffers[0]: has no data, but bufferViews[0] reads it"));
+    builder.json["nodes"][0].erase("mesh");
+    EXPECT_TRUE(importGltf(folder.write("b.gltf", builder.json.dump())).meshes.empty());
+    builder.json["images"] = {{{"bufferView", 0}, {"mimeType", "image/png"}}};
+    const auto image = folder.write("c.gltf", builder.json.dump());
+    EXPECT_THAT(faultOf([&] { (void)importGltf(image); }), HasSubstr("buffers[0]: has no data"));
+}
+
 TEST_F(DocumentTest, EveryTruncationOfAGlbIsRefused) {
     const ByteVector whole = builder.glb();
     for (std::size_t size = 0; size < whole.size(); ++size)
