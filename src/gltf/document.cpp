@@ -8,7 +8,6 @@
 #include <system_error>
 
 #include "base/error.h"
-#include "gltf/extensions.h"
 #include "gltf/model.h"
 #include "gltf/schema.h"
 
@@ -84,9 +83,7 @@ Document::Document(const std::filesystem::path& file) : file_(file) {
     const Bytes bytes = readFile(file, file.string(), "");
     GlbChunks chunks{bytes, {}};
     if (bytes.size() >= 4 && word(bytes, 0) == kGlbMagic) chunks = splitGlb(bytes, file.string());
-    const Json root = parse(chunks.json);
-    requireSupported(*this, root);
-    model_ = loadModel(*this, root, chunks.bin);
+    model_ = loadModel(*this, parse(chunks.json), chunks.bin);
 }
 
 Json Document::parse(std::span<const unsigned char> text) const {

@@ -24,20 +24,16 @@ bool hasMorphTargets(const Document& document) {
 
 }  // namespace
 
-void requireSupported(const Document& document, const Json& root) {
-    for (const Json& name : member(root, "extensionsRequired"))
-        if (!isHonoured(name.get_ref<const std::string&>()))
-            document.fail("extensionsRequired: needs {}, which vkpt does not support", name.get<std::string>());
-}
-
 void reportExtensions(const Document& document, Scene& scene) {
     const auto holds = [](const std::vector<std::string>& names, const std::string& name) {
         return std::find(names.begin(), names.end(), name) != names.end();
     };
     const std::vector<std::string>& required = document.model().extensionsRequired;
     std::vector<std::string> names = document.model().extensionsUsed;
-    for (const std::string& name : required)
+    for (const std::string& name : required) {
+        if (!isHonoured(name)) document.fail("extensionsRequired: needs {}, which vkpt does not support", name);
         if (!holds(names, name)) names.push_back(name);
+    }
     for (const std::string& name : names) {
         const bool honoured = isHonoured(name);
         scene.extensions.push_back({name, honoured ? "honoured" : "ignored", holds(required, name)});

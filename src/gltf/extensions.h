@@ -5,10 +5,8 @@
 
 namespace vkpt::gltf {
 
-/// Throws FileError where the file requires an extension that is not supported.
-void requireSupported(const Document& document, const Json& root);
-
 /// Fills Scene::extensions and Scene::ignored, with a warning for each extension or feature that has no effect.
+/// Throws FileError for a required extension that is not supported.
 void reportExtensions(const Document& document, Scene& scene);
 
 }  // namespace vkpt::gltf

@@ -1,5 +1,6 @@
 // URIs of glTF files: relative references and embedded data.
 #include <cctype>
+#include <charconv>
 
 #include "base/error.h"
 #include "gltf/document.h"
@@ -13,26 +14,17 @@ std::string shown(std::string_view uri) {
     return uri.size() <= kShownUri ? std::string(uri) : std::string(uri.substr(0, kShownUri)) + "…";
 }
 
-int hexDigit(char c) {
-    if (c >= '0' && c <= '9') return c - '0';
-    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-    if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-    return -1;
-}
-
 // A percent sign that begins no valid escape stands for itself: exporters forget to encode it.
 std::string percentDecode(std::string_view uri) {
     std::string text;
     text.reserve(uri.size());
     for (std::size_t i = 0; i < uri.size(); ++i) {
-        const bool escape =
-            uri[i] == '%' && i + 2 < uri.size() && hexDigit(uri[i + 1]) >= 0 && hexDigit(uri[i + 2]) >= 0;
-        if (escape) {
-            text += static_cast<char>(hexDigit(uri[i + 1]) * 16 + hexDigit(uri[i + 2]));
-            i += 2;
-        } else {
-            text += uri[i];
-        }
+        const std::string_view digits = uri.substr(i + 1, 2);
+        unsigned char code = 0;
+        const auto end = std::from_chars(digits.data(), digits.data() + digits.size(), code, 16).ptr;
+        const bool escape = uri[i] == '%' && end == digits.data() + 2;
+        text += escape ? static_cast<char>(code) : uri[i];
+        if (escape) i += 2;
     }
     return text;
 }
