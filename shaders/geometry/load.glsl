@@ -42,7 +42,12 @@ MaterialRecord loadMaterial(uint index) {
 TextureRecord loadTexture(uint index) {
     uint base = scene.textures + index * 3u;
     uvec4 w0 = sceneWord(base);
-    return TextureRecord(w0.x, w0.y, w0.z, w0.w, sceneWordFloat(base + 1u), sceneWordFloat(base + 2u));
+    TextureRecord r = TextureRecord(w0.x, w0.y, w0.z, w0.w, vec4(1.0, 0.0, 0.0, 0.0), vec4(0.0, 1.0, 0.0, 0.0));
+    if (kHasTransforms != 0u) {
+        r.rowU = sceneWordFloat(base + 1u);
+        r.rowV = sceneWordFloat(base + 2u);
+    }
+    return r;
 }
 
 LightRecord loadLight(uint index) {

@@ -28,13 +28,18 @@ bool isRefused(vec3 c) {
     return any(greaterThanEqual(bits, uvec3((127u + 40u) << 23u)));
 }
 
-// `alpha`: the path met something at its first segment.
-void addContribution(uint path, vec3 c, bool alpha) {
+// Adds to the sums of a path. `first`: nothing was added before, the sums begin here; a camera ray's alpha with them.
+void addContribution(uint path, vec3 c, bool first, bool alpha) {
     if (isRefused(c)) {
         atomicAdd(counters[kRefused], 1u);
         c = vec3(0.0);
     }
-    uvec4 red = loadState(kStateRed, path), green = loadState(kStateGreen, path), blue = loadState(kStateBlue, path);
+    uvec4 red = uvec4(0u), green = uvec4(0u), blue = uvec4(0u);
+    if (!first) {
+        red = loadState(kStateRed, path);
+        green = loadState(kStateGreen, path);
+        blue = loadState(kStateBlue, path);
+    }
     storeState(kStateRed, path, uvec4(addFixed(red.xyz, toFixedPoint(c.r)), red.w + (alpha ? 1u : 0u)));
     storeState(kStateGreen, path, uvec4(addFixed(green.xyz, toFixedPoint(c.g)), 0u));
     storeState(kStateBlue, path, uvec4(addFixed(blue.xyz, toFixedPoint(c.b)), 0u));

@@ -1,5 +1,5 @@
 #version 460
-// Stage 1: a camera ray for every path of the batch; clears its sums.
+// Stage 1: a camera ray for every path of the batch. Its sums begin at the first stage that adds to them.
 #extension GL_GOOGLE_include_directive : require
 #include "kernels/preamble.glsl"
 
@@ -23,8 +23,5 @@ void main() {
     storeStateFloat(kStateOrigin, path, vec4(ray.origin, -1.0));
     storeStateFloat(kStateDirection, path, vec4(ray.direction, 0.0));
     storeStateFloat(kStateThroughput, path, vec4(1.0));
-    storeState(kStateRed, path, uvec4(0u));
-    storeState(kStateGreen, path, uvec4(0u));
-    storeState(kStateBlue, path, uvec4(0u));
     counters[queueArray(0u, kQueueRay) + path] = path;
 }

@@ -16,7 +16,7 @@ void main() {
     vec4 c = inputFloat(0u);
     for (uint i = 0u; i < 3u; ++i) pathState[i] = inputWord(1u + i);
     putWord(6u, uvec4(addFixed(pathState[0].xyz, pathState[1].xyz), isRefused(c.rgb) ? 1u : 0u));
-    addContribution(gl_GlobalInvocationID.x, c.rgb, c.a != 0.0);
+    addContribution(gl_GlobalInvocationID.x, c.rgb, false, c.a != 0.0);
     for (uint i = 0u; i < 3u; ++i) {
         putWord(i, pathState[i]);
         putWord(3u + i, uvec4(toFixedPoint(c[i]), 0u));

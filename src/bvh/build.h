@@ -11,7 +11,7 @@ namespace vkpt {
 /// Costs relative to each other; only their ratios matter.
 struct BvhConfig {
     float nodeCost = 1.0F;      ///< testing the eight boxes of a node
-    float triangleCost = 0.3F;  ///< testing one triangle [Ylitie 17]
+    float triangleCost = 1.0F;  ///< testing one triangle: as much as a node where invocations run in lockstep
     float instanceCost = 4.0F;  ///< entering one instance: the transformation and the upper nodes of its mesh
     std::uint32_t maxMeshDepth = kMaxMeshDepth;  ///< levels of a bottom-level tree, at most kMaxMeshDepth
     std::uint32_t maxTopDepth = kMaxTopDepth;    ///< levels of the top-level tree, at most kMaxTopDepth

@@ -143,6 +143,9 @@ void flattenMaterials(const Scene& scene, const std::vector<MaterialTraits>& tra
     }
     layout.copyTexels();
     arrays.features.textures = !arrays.textures.empty();
+    arrays.features.textureTransforms = std::ranges::any_of(arrays.textures, [](const TextureRecord& t) {
+        return t.rowU != glm::vec4(1, 0, 0, 0) || t.rowV != glm::vec4(0, 1, 0, 0);
+    });
 }
 
 }  // namespace vkpt

@@ -14,6 +14,7 @@ struct SceneFeatures {
     bool instances = false;  ///< two-level BVH
     bool alpha = false;      ///< some triangle is MASK or BLEND
     bool textures = false;   ///< any texture at all
+    bool textureTransforms = false; ///< some TextureRecord is not the identity
     bool normalMaps = false;
     bool vertexExtras = false;  ///< TEXCOORD_1 or COLOR_0
     bool triangleLights = false;

@@ -4,8 +4,8 @@
 
 namespace vkpt {
 
-std::vector<std::uint32_t> specializationOf(const SceneFeatures& f, SamplerId sampler, bool fetchTexel,
-                                            bool useBallot) {
+std::vector<std::uint32_t> specializationOf(const SceneFeatures& f, SamplerId sampler, bool fetchTexel, bool useBallot,
+                                            bool stateTexel) {
     return {static_cast<std::uint32_t>(sampler),
             fetchTexel,
             f.instances,
@@ -18,7 +18,9 @@ std::vector<std::uint32_t> specializationOf(const SceneFeatures& f, SamplerId sa
             f.punctualLights,
             f.environment,
             f.unlit,
-            useBallot};
+            useBallot,
+            stateTexel,
+            f.textureTransforms};
 }
 
 namespace {

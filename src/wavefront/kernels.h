@@ -15,14 +15,15 @@ namespace vkpt {
 /// SPIR-V of shaders/kernels/NAME.comp; empty where there is none. Generated.
 std::span<const std::uint32_t> kernelSpirv(std::string_view name);
 
-/// Bindings of every kernel: frame, scene as storage, scene as texels, path state, counters, film.
-inline constexpr std::array kKernelBindings = {BindingKind::UniformBuffer, BindingKind::StorageBuffer,
-                                               BindingKind::StorageTexel,  BindingKind::StorageBuffer,
-                                               BindingKind::StorageBuffer, BindingKind::StorageBuffer};
+/// Bindings of every kernel: frame, scene as storage, scene as texels, path state, counters, film, path state as
+/// texels.
+inline constexpr std::array kKernelBindings = {
+    BindingKind::UniformBuffer, BindingKind::StorageBuffer, BindingKind::StorageTexel, BindingKind::StorageBuffer,
+    BindingKind::StorageBuffer, BindingKind::StorageBuffer, BindingKind::StorageTexel};
 
 /// Values of the constants of shaders/specialization.glsl, by constant_id.
 [[nodiscard]] std::vector<std::uint32_t> specializationOf(const SceneFeatures& features, SamplerId sampler,
-                                                          bool fetchTexel, bool useBallot);
+                                                          bool fetchTexel, bool useBallot, bool stateTexel = false);
 
 struct WavefrontKernels {
     Kernel generate, intersect, shade, miss, shadow, accumulate;

@@ -55,6 +55,11 @@ bool useTexels(const Device& device, WavefrontConfig::Fetch fetch, std::size_t b
     return texelsFit && (device.info().isCpu || !storageFits);
 }
 
+/// Path state is read through texels where kernels run on the CPU: a load takes a third of the time there.
+bool useStateTexels(const Device& device, WavefrontConfig::Fetch fetch, std::size_t bytes) {
+    return fetch != WavefrontConfig::Fetch::Storage && device.info().isCpu && TexelView::fits(device, bytes);
+}
+
 }  // namespace
 
 struct WavefrontRenderer::Impl {
@@ -69,11 +74,11 @@ struct WavefrontRenderer::Impl {
     Device device;
     SceneLayout layout;
     std::uint32_t capacity;
-    bool texels, ballot;
+    bool texels, stateTexel, ballot;
     MemoryPlan plan;
     WavefrontKernels kernels;
     Buffer frame, scene, dummy, state, counters, freshCounters, readback;
-    TexelView sceneTexels;
+    TexelView sceneTexels, stateTexels;
     std::vector<FilmBand> bands;
     Recorder recorder;
     double uploadSeconds = 0;
@@ -106,8 +111,9 @@ WavefrontRenderer::Impl::Impl(const SceneArrays& arrays, const RenderOptions& re
       layout(planScene(arrays)),
       capacity(config.pathsInFlight != 0 ? config.pathsInFlight : kDefaultPaths),
       texels(useTexels(device, config.fetch, layout.bytes)),
+      stateTexel(useStateTexels(device, config.fetch, stateBytes(capacity))),
       ballot(config.ballot && device.info().subgroupBallot),
-      kernels(device, specializationOf(arrays.features, options.sampler, texels, ballot), ballot),
+      kernels(device, specializationOf(arrays.features, options.sampler, texels, ballot, stateTexel), ballot),
       recorder(device, config.timings ? 4 * kBouncesPerSubmit + 4 : 0),
       pathsPerBatch(capacity) {
     if (counterBlocks() > kMaxBounceBlocks)
@@ -138,6 +144,8 @@ void WavefrontRenderer::Impl::createBuffers(const SceneArrays& arrays) {
     readback = Buffer(device, BufferUse::Readback, counterBytesUsed, "counters read back");
     sceneTexels = texels ? TexelView(device, scene, VK_FORMAT_R32G32B32A32_UINT, 0, layout.bytes)
                          : TexelView(device, dummy, VK_FORMAT_R32G32B32A32_UINT, 0, 16);
+    stateTexels = stateTexel ? TexelView(device, state, VK_FORMAT_R32G32B32A32_UINT, 0, stateBytes(capacity))
+                             : TexelView(device, dummy, VK_FORMAT_R32G32B32A32_UINT, 0, 16);
 
     const Frame contents{layout.header, options.params};
     std::memcpy(frame.map().data(), &contents, sizeof contents);
@@ -148,7 +156,8 @@ void WavefrontRenderer::Impl::createBuffers(const SceneArrays& arrays) {
     for (const Band& band : bandList) {
         FilmBand b{
             band, Buffer(device, BufferUse::Storage, std::size_t{band.pixelCount} * sizeof(FilmSums), "film"), {}};
-        const std::array<Binding, 6> bindings = {frame, texels ? dummy : scene, sceneTexels, state, counters, b.film};
+        const std::array<Binding, 7> bindings = {
+            frame, texels ? dummy : scene, sceneTexels, state, counters, b.film, stateTexels};
         b.group = BindGroup(device, kernels.generate, bindings);
         bands.push_back(std::move(b));
     }

@@ -18,7 +18,7 @@ constexpr glm::uvec2 kSizes[] = {{1, 1}, {4, 4}, {5, 7}, {1, 9}, {64, 3}, {100, 
 /// Every wrap mode on each axis, both filters, sRGB and linear, without and with a transform, of every size.
 SceneArrays textureScene() {
     SceneArrays arrays;
-    arrays.features.textures = true;
+    arrays.features.textures = arrays.features.textureTransforms = true;
     RandomInputs random(15);
     for (const glm::uvec2& size : kSizes) {
         const auto texels = static_cast<std::uint32_t>(arrays.texels.size());
