@@ -12,6 +12,6 @@ layout(constant_id = 8) const uint kHasTexturedEmission = 0u;
 layout(constant_id = 9) const uint kHasPunctualLights = 0u;
 layout(constant_id = 10) const uint kHasEnvironment = 0u;
 layout(constant_id = 11) const uint kHasUnlit = 0u;
+layout(constant_id = 12) const uint kUseBallot = 0u;       // compaction by subgroup ballot, else by shared memory
 layout(constant_id = 13) const uint kStateTexel = 0u;      // read path state through a texel buffer
 layout(constant_id = 14) const uint kHasTransforms = 1u;   // some texture has KHR_texture_transform
-layout(constant_id = 12) const uint kUseBallot = 0u;       // compaction by subgroup ballot, else by shared memory
