@@ -7,11 +7,11 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <fstream>
 #include <string>
 #include <thread>
 
 #include "base/error.h"
+#include "temporary_folder.h"
 
 namespace vkpt {
 namespace {
@@ -20,30 +20,18 @@ namespace fs = std::filesystem;
 
 class AtomicFile : public testing::Test {
 protected:
-    AtomicFile() { fs::create_directories(folder_); }
-    ~AtomicFile() override { fs::remove_all(folder_); }
-
     static void write(const fs::path& path, const std::string& text) {
         writeFileAtomically(path, std::as_bytes(std::span(text)));
     }
-    static std::string read(const fs::path& path) {
-        std::ifstream in(path, std::ios::binary);
-        return {std::istreambuf_iterator<char>(in), {}};
-    }
-    [[nodiscard]] std::size_t entries() const {
-        return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator{}));
-    }
-
-    fs::path folder_ = fs::temp_directory_path() / ("vkpt_base_" + std::to_string(::getpid()) + "_" +
-                                                    testing::UnitTest::GetInstance()->current_test_info()->name());
+    TemporaryFolder folder_;
 };
 
 TEST_F(AtomicFile, WritesAndReplaces) {
     write(folder_ / "a", "one");
     write(folder_ / "a", "two, longer");
     write(folder_ / "a", "3");
-    EXPECT_EQ(read(folder_ / "a"), "3");
-    EXPECT_EQ(entries(), 1U);
+    EXPECT_EQ(readText(folder_ / "a"), "3");
+    EXPECT_EQ(folder_.files().size(), 1U);
 }
 
 // A write that fails half-way, as on a full disk: the limit on file sizes makes one. The child is a process of its
@@ -63,19 +51,19 @@ TEST_F(AtomicFile, FailureHalfWayLeavesTheOldFileAndNoTemporary) {
         std::_Exit(0);
     };
     EXPECT_EXIT(attempt(), testing::ExitedWithCode(4), "");
-    EXPECT_EQ(read(folder_ / "a"), "old");
-    EXPECT_EQ(entries(), 1U);
+    EXPECT_EQ(readText(folder_ / "a"), "old");
+    EXPECT_EQ(folder_.files().size(), 1U);
 }
 
 TEST_F(AtomicFile, FolderAsTargetIsRefused) {
-    EXPECT_THROW(write(folder_, "x"), FileError);
-    EXPECT_THROW(checkWritable(folder_), FileError);
+    EXPECT_THROW(write(folder_.path(), "x"), FileError);
+    EXPECT_THROW(checkWritable(folder_.path()), FileError);
 }
 
 TEST_F(AtomicFile, MissingFolderIsFoundBeforehand) {
     EXPECT_THROW(checkWritable(folder_ / "absent" / "a"), FileError);
     EXPECT_NO_THROW(checkWritable(folder_ / "a"));
-    EXPECT_EQ(entries(), 0U) << "a check leaves no trace";
+    EXPECT_EQ(folder_.files().size(), 0U) << "a check leaves no trace";
 }
 
 TEST_F(AtomicFile, SymbolicLinkStaysALink) {
@@ -83,14 +71,14 @@ TEST_F(AtomicFile, SymbolicLinkStaysALink) {
     fs::create_symlink("target", folder_ / "link");
     write(folder_ / "link", "new");
     EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
-    EXPECT_EQ(read(folder_ / "target"), "new");
+    EXPECT_EQ(readText(folder_ / "target"), "new");
 }
 
 TEST_F(AtomicFile, PipeIsWrittenToNotReplaced) {
     const fs::path pipe = folder_ / "pipe";
     ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
     std::string received;
-    std::thread reader([&] { received = read(pipe); });
+    std::thread reader([&] { received = readText(pipe); });
     write(pipe, "through");
     reader.join();
     EXPECT_EQ(received, "through");

@@ -1,11 +1,9 @@
 #include "base/hash.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <fstream>
 
 #include "base/error.h"
+#include "temporary_folder.h"
 
 namespace vkpt {
 namespace {
@@ -25,12 +23,10 @@ TEST(ContentHash, TextsHaveAnEnd) {
 }
 
 TEST(ContentHash, FileIsItsBytes) {
-    const auto path = std::filesystem::temp_directory_path() / ("vkpt_hash_" + std::to_string(::getpid()));
+    const TemporaryFolder folder;
     const std::string text(200000, 'q');
-    std::ofstream(path, std::ios::binary) << text;
-    EXPECT_EQ(ContentHash().addFile(path).value(), ContentHash().add(bytes(text)).value());
-    std::filesystem::remove(path);
-    EXPECT_THROW(ContentHash().addFile(path), FileError);
+    EXPECT_EQ(ContentHash().addFile(folder.write("a", text)).value(), ContentHash().add(bytes(text)).value());
+    EXPECT_THROW(ContentHash().addFile(folder / "absent"), FileError);
 }
 
 }  // namespace

@@ -10,34 +10,23 @@
 #include <ImfRgbaFile.h>
 #include <ImfTiledOutputFile.h>
 #include <gtest/gtest.h>
-#include <spng.h>
 
 #include <bit>
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
 #include <limits>
 
 #include "base/error.h"
+#include "encode_png.h"
+#include "temporary_folder.h"
 
 namespace vkpt {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of its own for every test.
 class ImageRead : public ::testing::Test {
 protected:
-    ImageRead() {
-        std::string name = (fs::temp_directory_path() / "vkpt_image_read_XXXXXX").string();
-        folder_ = mkdtemp(name.data());
-    }
-    ~ImageRead() override { fs::remove_all(folder_); }
-
-    fs::path write(const std::string& name, const std::string& bytes) const {
-        std::ofstream(folder_ / name, std::ios::binary) << bytes;
-        return folder_ / name;
-    }
+    fs::path write(const std::string& name, const std::string& bytes) const { return folder_.write(name, bytes); }
     void expectFault(const std::string& bytes, const std::string& part) const {
         try {
             (void)readImage(write("broken", bytes));
@@ -47,7 +36,7 @@ protected:
             EXPECT_NE(std::string(error.what()).find("broken: "), std::string::npos) << error.what();
         }
     }
-    fs::path folder_;
+    TemporaryFolder folder_;
 };
 
 std::string bytesOf(std::initializer_list<int> values) {
@@ -63,14 +52,20 @@ std::string rawOf(std::initializer_list<T> values) {
     return s;
 }
 
+/// A square PNG of one colour.
+std::string plainPng(std::uint32_t side) {
+    const auto png =
+        encodePng({side, side, 8, SPNG_COLOR_TYPE_TRUECOLOR, std::vector<std::uint8_t>(side * side * 3, 'x')});
+    return {png.begin(), png.end()};
+}
+
 using Pixels = std::vector<float>;
 
-// ---- files that are none
-// ------------------------------------------------------------------------------------------------
+// ---- files that are none --------------------------------------------------------------------------------------------
 
 TEST_F(ImageRead, MissingFoldersAndForeignFilesAreFileErrors) {
     EXPECT_THROW((void)readImage(folder_ / "absent.hdr"), FileError);
-    EXPECT_THROW((void)readImage(folder_), FileError);
+    EXPECT_THROW((void)readImage(folder_.path()), FileError);
     expectFault("", "no image");
     expectFault("GIF89a", "no image");
 }
@@ -79,8 +74,7 @@ TEST_F(ImageRead, ContentsTellTheKindNotTheName) {
     EXPECT_EQ(readImage(write("picture.png", "Pf\n1 1\n-1\n" + rawOf({2.5F}))).pixels, Pixels{2.5F});
 }
 
-// ---- Radiance
-// -----------------------------------------------------------------------------------------------------------
+// ---- Radiance -------------------------------------------------------------------------------------------------------
 
 const std::string kHdr = "#?RADIANCE\n# made by a test\nFORMAT=32-bit_rle_rgbe\n\n";
 
@@ -143,8 +137,7 @@ TEST_F(ImageRead, BrokenHdr) {
     expectFault(kHdr + "-Y 1 +X 4\n" + bytesOf({1, 1, 1, 4}), "run");  // nothing to repeat
 }
 
-// ---- PFM
-// ----------------------------------------------------------------------------------------------------------------
+// ---- PFM ------------------------------------------------------------------------------------------------------------
 
 TEST_F(ImageRead, PfmOfEitherByteOrderFromTheBottomUp) {
     const Image image = readImage(write("a.pfm", "PF\n1 2\n-1.0\n" + rawOf({1.0F, 2.0F, 3.0F, -4.0F, 5.0F, 6.0F})));
@@ -168,51 +161,28 @@ TEST_F(ImageRead, BrokenPfm) {
     expectFault("PF\n2 2\n-1\nshort", "too early");
 }
 
-// ---- PNG
-// ----------------------------------------------------------------------------------------------------------------
-
-std::string encodePng(std::uint32_t width, std::uint32_t height, std::uint8_t type, std::uint8_t depth,
-                      const std::string& pixels) {
-    spng_ctx* context = spng_ctx_new(SPNG_CTX_ENCODER);
-    spng_set_option(context, SPNG_ENCODE_TO_BUFFER, 1);
-    spng_ihdr header{};
-    header.width = width, header.height = height, header.color_type = type, header.bit_depth = depth;
-    spng_set_ihdr(context, &header);
-    EXPECT_EQ(spng_encode_image(context, pixels.data(), pixels.size(), SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE), 0);
-    std::size_t size = 0;
-    int error = 0;
-    void* buffer = spng_get_png_buffer(context, &size, &error);
-    std::string result(static_cast<const char*>(buffer), size);
-    std::free(buffer);
-    spng_ctx_free(context);
-    return result;
-}
+// ---- PNG ------------------------------------------------------------------------------------------------------------
 
 TEST_F(ImageRead, PngKindsKeepTheirEncodedValues) {
-    const Image rgb =
-        readImage(write("a.png", encodePng(2, 1, SPNG_COLOR_TYPE_TRUECOLOR, 8, bytesOf({0, 51, 255, 1, 2, 3}))));
+    const auto read = [&](const PngImage& image) { return readImage(folder_.write("a.png", encodePng(image))); };
+    const Image rgb = read({2, 1, 8, SPNG_COLOR_TYPE_TRUECOLOR, {0, 51, 255, 1, 2, 3}});
     EXPECT_EQ(rgb.channels, 3U);
     EXPECT_EQ(rgb.pixels, (Pixels{0, 0.2F, 1, 1 / 255.0F, 2 / 255.0F, 3 / 255.0F}));
-    const Image rgba =
-        readImage(write("a.png", encodePng(1, 1, SPNG_COLOR_TYPE_TRUECOLOR_ALPHA, 8, bytesOf({255, 0, 0, 51}))));
-    EXPECT_EQ(rgba.pixels, (Pixels{1, 0, 0, 0.2F}));
-    const Image deep = readImage(
-        write("a.png", encodePng(1, 1, SPNG_COLOR_TYPE_TRUECOLOR, 16, rawOf<std::uint16_t>({1, 13107, 65535}))));
+    EXPECT_EQ(read({1, 1, 8, SPNG_COLOR_TYPE_TRUECOLOR_ALPHA, {255, 0, 0, 51}}).pixels, (Pixels{1, 0, 0, 0.2F}));
+    const Image deep = read({1, 1, 16, SPNG_COLOR_TYPE_TRUECOLOR, {0x00, 0x01, 0x33, 0x33, 0xff, 0xff}});
     EXPECT_EQ(deep.pixels, (Pixels{1 / 65535.0F, 0.2F, 1}));
-    const Image grey = readImage(write("a.png", encodePng(1, 1, SPNG_COLOR_TYPE_GRAYSCALE, 8, bytesOf({51}))));
-    EXPECT_EQ(grey.pixels, (Pixels{0.2F, 0.2F, 0.2F}));
+    EXPECT_EQ(read({1, 1, 8, SPNG_COLOR_TYPE_GRAYSCALE, {51}}).pixels, (Pixels{0.2F, 0.2F, 0.2F}));
 }
 
 TEST_F(ImageRead, BrokenPng) {
-    std::string png = encodePng(64, 64, SPNG_COLOR_TYPE_TRUECOLOR, 8, std::string(64 * 64 * 3, 'x'));
+    std::string png = plainPng(64);
     expectFault(png.substr(0, 20), "PNG");
     expectFault(png.substr(0, png.size() / 2), "PNG");
     png[40] = static_cast<char>(png[40] ^ 0x55);
     expectFault(png, "PNG");
 }
 
-// ---- OpenEXR
-// ------------------------------------------------------------------------------------------------------------
+// ---- OpenEXR --------------------------------------------------------------------------------------------------------
 
 using Channels = std::vector<std::pair<std::string, Imf::PixelType>>;
 
@@ -339,8 +309,7 @@ TEST_F(ImageRead, ExrWithPartsGivesTheFirst) {
 
 TEST_F(ImageRead, BrokenExr) {
     writeExr(folder_ / "a.exr", Imf::Header(64, 64), {{"R", Imf::FLOAT}, {"G", Imf::FLOAT}, {"B", Imf::FLOAT}});
-    std::ifstream stream(folder_ / "a.exr", std::ios::binary);
-    const std::string bytes((std::istreambuf_iterator<char>(stream)), {});
+    const std::string bytes = readText(folder_ / "a.exr");
     expectFault(bytes.substr(0, 4), "OpenEXR");
     expectFault(bytes.substr(0, 100), "OpenEXR");
     expectFault(bytes.substr(0, bytes.size() / 2), "OpenEXR");
@@ -352,9 +321,7 @@ TEST_F(ImageRead, BrokenExr) {
 
 TEST_F(ImageRead, DamagedBytesNeverEndInAnythingButAFileError) {
     writeExr(folder_ / "a.exr", Imf::Header(16, 16), {{"R", Imf::HALF}, {"G", Imf::HALF}, {"B", Imf::HALF}});
-    std::ifstream stream(folder_ / "a.exr", std::ios::binary);
-    const std::string samples[] = {std::string((std::istreambuf_iterator<char>(stream)), {}),
-                                   encodePng(16, 16, SPNG_COLOR_TYPE_TRUECOLOR, 8, std::string(768, 'x')),
+    const std::string samples[] = {readText(folder_ / "a.exr"), plainPng(16),
                                    kHdr + "-Y 2 +X 8\n" + bytesOf({2, 2, 0, 8, 136, 1, 136, 2, 136, 3, 136, 4,
                                                                    2, 2, 0, 8, 136, 1, 136, 2, 136, 3, 136, 4}),
                                    "PF\n2 1\n-1\n" + rawOf({1.0F, 2.0F, 3.0F, 4.0F, 5.0F, 6.0F})};

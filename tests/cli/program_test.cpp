@@ -35,11 +35,11 @@ protected:
         return run(all, options);
     }
     [[nodiscard]] std::string attribute(const char* file, const char* key) const {
-        Imf::InputFile in((folder_.path() / file).c_str());
+        Imf::InputFile in((folder_ / file).c_str());
         const auto* value = in.header().findTypedAttribute<Imf::StringAttribute>(key);
         return value ? value->value() : "absent";
     }
-    [[nodiscard]] Image image(const char* file) const { return readImage(folder_.path() / file); }
+    [[nodiscard]] Image image(const char* file) const { return readImage(folder_ / file); }
 
     TemporaryFolder folder_;
 };
@@ -83,7 +83,7 @@ TEST_F(Program, HelpOfEveryCommandShowsAnExample) {
 }
 
 TEST_F(Program, FileFaultsAre4AndOneLineThatNamesTheFile) {
-    (void)folder_.write("broken.gltf", "{\"asset\": ");
+    folder_.write("broken.gltf", "{\"asset\": ");
     const std::pair<Words, const char*> cases[] = {
         {{"render", "absent.glb"}, "absent.glb"},
         {{"render", "broken.gltf"}, "broken.gltf"},
@@ -137,7 +137,7 @@ TEST_F(Program, WritesEveryOutputWithMetadataAndStats) {
     EXPECT_EQ(attribute("a.exr", "vkpt:scene"), "scene.gltf");
     EXPECT_EQ(compareImages(image("a.pfm"), image("a.exr")).maximum, 0);
 
-    const Json stats = Json::parse(readText(folder_.path() / "s.json"));
+    const Json stats = Json::parse(readText(folder_ / "s.json"));
     EXPECT_EQ(stats.at("spp"), 2);
     EXPECT_EQ(stats.at("paths"), 24 * 16 * 2);
     EXPECT_EQ(stats.at("settingsHash"), attribute("a.exr", "vkpt:settingsHash"));
@@ -149,7 +149,7 @@ TEST_F(Program, WritesEveryOutputWithMetadataAndStats) {
 TEST_F(Program, VulkanAgreesWithTheCpuAndValidationIsSilent) {
     ASSERT_EQ(render({"--validate", "-o", "v.exr", "--stats", "v.json"}).code, 0);
     ASSERT_EQ(render({"--backend", "cpu", "-o", "c.exr"}).code, 0);
-    const Json stats = Json::parse(readText(folder_.path() / "v.json"));
+    const Json stats = Json::parse(readText(folder_ / "v.json"));
     EXPECT_EQ(stats.at("validationMessages"), 0);
     EXPECT_EQ(stats.at("stages").size() > 3, true);
     EXPECT_LT(compareImages(image("v.exr"), image("c.exr")).meanAbsolute, 0.01);
@@ -167,8 +167,8 @@ TEST_F(Program, SampleRangesAreThePartsOfTheWhole) {
 }
 
 TEST_F(Program, TransparentBackgroundKeepsAlpha) {
-    (void)folder_.write("t.gltf", triangleGltf());
-    (void)folder_.write("buffer.bin", triangleBuffer());
+    folder_.write("t.gltf", triangleGltf());
+    folder_.write("buffer.bin", triangleBuffer());
     const Words base{"render", "t.gltf", "--backend", "cpu", "--size", "16x16", "--spp", "4"};
     Words transparent = base, opaque = base;
     transparent.insert(transparent.end(), {"--background", "transparent", "-o", "t.png"});

@@ -3,8 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 #include "base/error.h"
 #include "base/version.h"
 #include "cli/metadata.h"
@@ -17,7 +15,7 @@ class SceneSetup : public testing::Test {
 protected:
     SceneSetup() {
         scene_.file = folder_.write("t.gltf", triangleGltf());
-        (void)folder_.write("buffer.bin", triangleBuffer());
+        folder_.write("buffer.bin", triangleBuffer());
         scene_.size = {8, 8};
         setUpLog(Verbosity::Quiet);
     }
@@ -117,11 +115,11 @@ TEST_F(SceneSetup, SettingsHashFollowsTheFilesOfTheScene) {
     scene_.eye = glm::vec3(0, 0, 4);  // framing would follow the change by itself
     scene_.target = glm::vec3(0);
     const std::string before = hash();
-    (void)folder_.write("buffer.bin", triangleBuffer(0.5F));
+    folder_.write("buffer.bin", triangleBuffer(0.5F));
     EXPECT_NE(hash(), before);
-    (void)folder_.write("buffer.bin", triangleBuffer());
+    folder_.write("buffer.bin", triangleBuffer());
     EXPECT_EQ(hash(), before);
-    (void)folder_.write("t.gltf", triangleGltf() + " ");
+    folder_.write("t.gltf", triangleGltf() + " ");
     EXPECT_NE(hash(), before);
 }
 

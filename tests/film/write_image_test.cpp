@@ -9,14 +9,13 @@
 #include <gtest/gtest.h>
 #include <spng.h>
 #include <stb_image.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <memory>
 
 #include "base/error.h"
+#include "temporary_folder.h"
 
 namespace vkpt {
 namespace {
@@ -25,12 +24,9 @@ namespace fs = std::filesystem;
 
 class WriteImage : public testing::Test {
 protected:
-    WriteImage() { fs::create_directories(folder_); }
-    ~WriteImage() override { fs::remove_all(folder_); }
     [[nodiscard]] fs::path file(const char* name) const { return folder_ / name; }
 
-    fs::path folder_ = fs::temp_directory_path() / ("vkpt_film_" + std::to_string(::getpid()) + "_" +
-                                                    testing::UnitTest::GetInstance()->current_test_info()->name());
+    TemporaryFolder folder_;
 };
 
 /// 5 x 3, opaque, every value another.
@@ -42,11 +38,6 @@ Image gradient() {
 }
 
 const WriteOptions kPlain{.display = {.toneMap = ToneMap::None}};
-
-std::string readAll(const fs::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 TEST_F(WriteImage, Png8RoundTrip) {
     const Image image = gradient();
@@ -83,7 +74,7 @@ TEST_F(WriteImage, Png16RoundTripWithMetadata) {
     WriteOptions options = kPlain;
     options.pngBits = 16;
     writeImage(file("a.png"), image, options, {{"vkpt:spp", "64"}, {"vkpt:scene", "hélmet.glb"}});
-    const std::string bytes = readAll(file("a.png"));
+    const std::string bytes = readText(file("a.png"));
     const std::unique_ptr<spng_ctx, void (*)(spng_ctx*)> context(spng_ctx_new(0), spng_ctx_free);
     ASSERT_EQ(spng_set_png_buffer(context.get(), bytes.data(), bytes.size()), 0);
     spng_ihdr header{};
@@ -144,7 +135,7 @@ TEST_F(WriteImage, HdrRoundTripWithinRgbePrecision) {
 TEST_F(WriteImage, PfmIsLittleEndianAndBottomUp) {
     const Image image = gradient();
     writeImage(file("a.PFM"), image, kPlain, {});
-    const std::string bytes = readAll(file("a.PFM"));
+    const std::string bytes = readText(file("a.PFM"));
     const std::string header = "PF\n5 3\n-1.0\n";
     ASSERT_EQ(bytes.size(), header.size() + 5 * 3 * 3 * 4);
     EXPECT_EQ(bytes.substr(0, header.size()), header);
@@ -162,7 +153,7 @@ TEST_F(WriteImage, FailureNamesTheReasonAndLeavesNothing) {
         EXPECT_THAT(error.what(), testing::HasSubstr("absent/a.png: cannot write: No such file or directory"));
     }
     EXPECT_THROW(writeImage(file("a.bmp"), gradient(), kPlain, {}), FileError);
-    EXPECT_TRUE(fs::is_empty(folder_));
+    EXPECT_TRUE(folder_.files().empty());
 }
 
 }  // namespace

@@ -1,34 +1,6 @@
 #include "builder.h"
 
-#include <unistd.h>
-
-#include <cstring>
-#include <fstream>
-
 namespace vkpt::test {
-
-TempFolder::TempFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "vkpt-gltf-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = pattern;
-}
-
-TempFolder::~TempFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-}
-
-std::filesystem::path TempFolder::write(const std::filesystem::path& name, const ByteVector& bytes) const {
-    const std::filesystem::path file = path_ / name;
-    std::filesystem::create_directories(file.parent_path());
-    std::ofstream(file, std::ios::binary)
-        .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    return file;
-}
-
-std::filesystem::path TempFolder::write(const std::filesystem::path& name, std::string_view text) const {
-    return write(name, ByteVector(text.begin(), text.end()));
-}
 
 std::string base64(const ByteVector& bytes) {
     static constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -105,7 +77,7 @@ std::string Builder::text() const {
 }
 
 Scene Builder::import(ImportOptions options) const {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     return importGltf(folder.write("scene.gltf", text()), options);
 }
 

@@ -13,6 +13,7 @@
 
 #include "base/error.h"
 #include "gltf/import.h"
+#include "temporary_folder.h"
 
 namespace vkpt::test {
 
@@ -29,22 +30,6 @@ constexpr int componentType() {
     if constexpr (std::is_same_v<T, std::uint32_t>) return 5125;
     return 5126;
 }
-
-/// A folder that is removed with the object.
-class TempFolder {
-public:
-    TempFolder();
-    TempFolder(const TempFolder&) = delete;
-    TempFolder& operator=(const TempFolder&) = delete;
-    ~TempFolder();
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-    /// Writes a file below the folder, making folders as needed.
-    std::filesystem::path write(const std::filesystem::path& name, const ByteVector& bytes) const;
-    std::filesystem::path write(const std::filesystem::path& name, std::string_view text) const;
-
-private:
-    std::filesystem::path path_;
-};
 
 [[nodiscard]] std::string base64(const ByteVector& bytes);
 

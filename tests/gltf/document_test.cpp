@@ -24,7 +24,7 @@ protected:
     std::string faultOfBytes(const ByteVector& bytes) const {
         return faultOf([&] { (void)importGltf(folder.write("scene.glb", bytes)); });
     }
-    TempFolder folder;
+    TemporaryFolder folder;
     Builder builder;
 };
 

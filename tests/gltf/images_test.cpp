@@ -10,51 +10,15 @@
 
 #include <algorithm>
 #include <array>
-#include <memory>
 
 #include "builder.h"
+#include "encode_png.h"
 
 namespace vkpt::test {
 namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-struct PngImage {
-    std::uint32_t width, height;
-    std::uint8_t depth, colorType;
-    std::vector<std::uint8_t> samples;  // as in the file: 16-bit ones big-endian
-};
-
-ByteVector encodePng(const PngImage& image, const spng_plte* palette = nullptr,
-                     const spng_trns* transparency = nullptr) {
-    const std::unique_ptr<spng_ctx, void (*)(spng_ctx*)> context(spng_ctx_new(SPNG_CTX_ENCODER), spng_ctx_free);
-    spng_set_option(context.get(), SPNG_ENCODE_TO_BUFFER, 1);
-    spng_ihdr header{};
-    header.width = image.width;
-    header.height = image.height;
-    header.bit_depth = image.depth;
-    header.color_type = image.colorType;
-    spng_set_ihdr(context.get(), &header);
-    spng_plte plte{};
-    spng_trns trns{};
-    if (palette != nullptr) {
-        plte = *palette;
-        spng_set_plte(context.get(), &plte);
-    }
-    if (transparency != nullptr) {
-        trns = *transparency;
-        spng_set_trns(context.get(), &trns);
-    }
-    int error = spng_encode_image(context.get(), image.samples.data(), image.samples.size(), SPNG_FMT_RAW,
-                                  SPNG_ENCODE_FINALIZE);
-    EXPECT_EQ(error, 0) << spng_strerror(error);
-    std::size_t size = 0;
-    std::uint8_t* data = static_cast<std::uint8_t*>(spng_get_png_buffer(context.get(), &size, &error));
-    ByteVector out(data, data + size);
-    std::free(data);
-    return out;
-}
 
 ByteVector encodeJpeg(std::uint32_t width, std::uint32_t height, int channels, J_COLOR_SPACE space,
                       const std::vector<std::uint8_t>& samples, bool progressive = false) {
@@ -243,7 +207,7 @@ TEST(Images, FromBufferViewUriAndDataUri) {
     EXPECT_EQ(scene.images[0].name, "paint");
     EXPECT_THAT(withImage({{"uri", "data:image/png;base64," + base64(bytes)}}).import().images.at(0).texels,
                 ElementsAre(0xff030201U));
-    const TempFolder folder;
+    const TemporaryFolder folder;
     folder.write("text ures/ä.png", bytes);
     const auto file = folder.write("s.gltf", withImage({{"uri", "text%20ures/%C3%A4.png"}}).text());
     EXPECT_THAT(importGltf(file).images.at(0).texels, ElementsAre(0xff030201U));

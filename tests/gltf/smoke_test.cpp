@@ -90,7 +90,7 @@ TEST(Smoke, FlippedBytes) {
     b.json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 1}}}}};
     b.json["nodes"][0]["camera"] = 0;
     const ByteVector whole = b.glb();
-    const TempFolder folder;
+    const TemporaryFolder folder;
     for (std::size_t i = 0; i < whole.size(); ++i)
         for (const int flip : {0x01, 0x80}) {
             ByteVector bytes = whole;

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 #include <stdlib.h>
-#include <unistd.h>
 
 #include <fstream>
 #include <optional>
 
 #include "gpu/kernel.h"
+#include "temporary_folder.h"
 #include "test_device.h"
 
 namespace vkpt {
@@ -22,14 +22,10 @@ namespace fs = std::filesystem;
 class PipelineCacheTest : public testing::Test {
 protected:
     void SetUp() override {
-        folder_ = fs::temp_directory_path() / ("vkpt_cache_test_" + std::to_string(getpid()));
         if (const char* old = getenv("XDG_CACHE_HOME")) old_ = old;
         setenv("XDG_CACHE_HOME", folder_.c_str(), 1);
     }
-    void TearDown() override {
-        old_ ? setenv("XDG_CACHE_HOME", old_->c_str(), 1) : unsetenv("XDG_CACHE_HOME");
-        fs::remove_all(folder_);
-    }
+    void TearDown() override { old_ ? setenv("XDG_CACHE_HOME", old_->c_str(), 1) : unsetenv("XDG_CACHE_HOME"); }
     /// Opens a device, compiles a kernel, closes it; the cache's file.
     static fs::path run() {
         Device device({.select = testDevice().info().name, .validation = true});
@@ -38,12 +34,9 @@ protected:
         EXPECT_EQ(device.validationMessages(), 0U);
         return device.pipelineCache().file();
     }
-    static std::string contents(const fs::path& file) {
-        std::ifstream in(file, std::ios::binary);
-        return {std::istreambuf_iterator<char>(in), {}};
-    }
 
-    fs::path folder_;
+    TemporaryFolder temporary_;
+    fs::path folder_ = temporary_ / "cache";
     std::optional<std::string> old_;
 };
 
@@ -57,15 +50,15 @@ TEST_F(PipelineCacheTest, IsWrittenWholeAndAlone) {
 
 TEST_F(PipelineCacheTest, DamagedFilesAreReplaced) {
     const fs::path file = run();
-    const std::string good = contents(file);
+    const std::string good = readText(file);
     ASSERT_GT(good.size(), 40U);
     std::string flipped = good;
     flipped[good.size() - 3] = static_cast<char>(flipped[good.size() - 3] ^ 1);
     for (const std::string& bad : {std::string(), good.substr(0, good.size() / 2), flipped, std::string(1000, 'x')}) {
         std::ofstream(file, std::ios::binary | std::ios::trunc) << bad;
         run();
-        EXPECT_EQ(contents(file).size(), good.size());
-        EXPECT_NE(contents(file), bad);
+        EXPECT_EQ(readText(file).size(), good.size());
+        EXPECT_NE(readText(file), bad);
     }
 }
 

@@ -210,14 +210,18 @@ TEST(Traversal, AnEmptySceneIsEmpty) {
     EXPECT_FALSE(anyHit(scene, {{0, 0, 0}, {0, 0, 1}}, INFINITY, 0));
 }
 
+SceneArrays alphaQuad(AlphaMode mode, float alpha) {
+    SceneBuilder builder;
+    Material m = test::matte(glm::vec3(1));
+    m.alphaMode = mode;
+    m.baseColor.a = alpha;
+    builder.material(m);
+    return builder.quad(0, {-1, -1, 0}, {2, 0, 0}, {0, 2, 0}).build();
+}
+
 TEST(AlphaTest, BlendPassesItsShareAndMaskItsCutoff) {
     for (const float alpha : {0.0F, 0.3F, 1.0F}) {
-        SceneBuilder builder;
-        Material m = test::matte(glm::vec3(1));
-        m.alphaMode = AlphaMode::Blend;
-        m.baseColor.a = alpha;
-        builder.material(m);
-        const SceneArrays scene = builder.quad(0, {-1, -1, 0}, {2, 0, 0}, {0, 2, 0}).build();
+        const SceneArrays scene = alphaQuad(AlphaMode::Blend, alpha);
         double hits = 0;
         constexpr std::uint32_t kRays = 20000;
         for (std::uint32_t i = 0; i < kRays; ++i) {
@@ -227,12 +231,7 @@ TEST(AlphaTest, BlendPassesItsShareAndMaskItsCutoff) {
         EXPECT_NEAR(hits / kRays, a, 4 * std::sqrt(a * (1 - a) / kRays)) << alpha;
     }
     for (const float alpha : {0.49F, 0.5F, 0.51F}) {
-        SceneBuilder builder;
-        Material m = test::matte(glm::vec3(1));
-        m.alphaMode = AlphaMode::Mask;
-        m.baseColor.a = alpha;
-        builder.material(m);
-        const SceneArrays scene = builder.quad(0, {-1, -1, 0}, {2, 0, 0}, {0, 2, 0}).build();
+        const SceneArrays scene = alphaQuad(AlphaMode::Mask, alpha);
         EXPECT_EQ(anyHit(scene, {{0, 0.1F, 1}, {0, 0, -1}}, INFINITY, 1), alpha >= 0.5F) << alpha;
     }
 }

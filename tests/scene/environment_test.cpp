@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 
 #include "base/error.h"
 #include "base/math.h"
 #include "scene/default_light.h"
 #include "scene/sampling_table.h"
 #include "scene_builder.h"
+#include "temporary_folder.h"
 
 namespace vkpt {
 namespace {
@@ -243,15 +243,10 @@ TEST(ReadEnvironment, ReadsEveryBundledMap) {
 }
 
 TEST(ReadEnvironment, ReplacesNonFiniteAndNegativeValuesByZero) {
-    const std::filesystem::path file = std::filesystem::temp_directory_path() / "vkpt_environment_test.pfm";
-    {
-        std::ofstream out(file, std::ios::binary);
-        out << "PF\n2 1\n-1\n";
-        const float values[] = {NAN, INFINITY, -1, 0.5F, 2, 3};
-        out.write(reinterpret_cast<const char*>(values), sizeof values);
-    }
-    const EnvironmentMap map = readEnvironment(file);
-    std::filesystem::remove(file);
+    const float values[] = {NAN, INFINITY, -1, 0.5F, 2, 3};
+    const TemporaryFolder folder;
+    const EnvironmentMap map = readEnvironment(
+        folder.write("a.pfm", "PF\n2 1\n-1\n" + std::string(reinterpret_cast<const char*>(values), sizeof values)));
     EXPECT_EQ(map.texels, (std::vector<glm::vec3>{{0, 0, 0}, {0.5F, 2, 3}}));
 }
 

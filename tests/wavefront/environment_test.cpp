@@ -54,6 +54,17 @@ std::vector<In> directions() {
     return inputs;
 }
 
+/// Calls `check(arrays, inputs, outputs of the probe)` for each of kSkies.
+template <typename Check>
+void forEverySky(Check&& check) {
+    const auto inputs = directions();
+    for (const Sky& s : kSkies) {
+        SCOPED_TRACE(testing::Message() << s.width << "x" << s.height);
+        const SceneArrays arrays = sky(s.width, s.height, s.rotationDegrees);
+        check(arrays, inputs, ProbeScene(arrays).evaluate<Out>("environment", inputs));
+    }
+}
+
 /// Texel position of a world direction, in double.
 glm::dvec2 texelPosition(const SceneArrays& a, const glm::dvec3& d) {
     const double c = std::cos(double{a.envRotation}), s = std::sin(double{a.envRotation});
@@ -63,35 +74,27 @@ glm::dvec2 texelPosition(const SceneArrays& a, const glm::dvec3& d) {
 
 // The angles are within 6e-7; u and v within 3e-7; the filter moves by that times the width.
 TEST_F(EnvironmentProbe, RadianceAndPdfEqualReference) {
-    const auto inputs = directions();
-    for (const Sky& s : kSkies) {
-        SCOPED_TRACE(testing::Message() << s.width << "x" << s.height);
-        const SceneArrays arrays = sky(s.width, s.height, s.rotationDegrees);
+    forEverySky([](const SceneArrays& arrays, const std::vector<In>& inputs, const std::vector<Out>& out) {
         const reference::Environment environment(arrays);
-        const auto out = ProbeScene(arrays).evaluate<Out>("environment", inputs);
         int compared = 0;
         for (std::size_t i = 0; i < inputs.size(); ++i) {
             const glm::vec3 d(inputs[i].direction);
-            const double shift = 1e-6 * s.width * (1 + 1e-6 / std::max(1e-6, 1 - double{d.y} * d.y));
+            const double shift = 1e-6 * arrays.envWidth * (1 + 1e-6 / std::max(1e-6, 1 - double{d.y} * d.y));
             const bool atPole = std::abs(d.y) > 0.99999F;
             const double brightest = 1e4;
             ASSERT_TRUE(isNear(out[i].radiance, environment.radiance(d), atPole ? 1e-2 : shift * brightest, 1e-5)) << i;
             const glm::dvec2 p = texelPosition(arrays, glm::dvec3(d)), edge = glm::abs(p - glm::round(p));
-            if (atPole || std::min(edge.x, edge.y) < 1e-6 * s.width) continue;  // either cell will do
+            if (atPole || std::min(edge.x, edge.y) < 1e-6 * arrays.envWidth) continue;  // either cell will do
             ASSERT_EQ(out[i].pdf, environment.pdf(d)) << i;
             ++compared;
         }
         EXPECT_GT(compared, 2900);
-    }
+    });
 }
 
 TEST_F(EnvironmentProbe, SampledDirectionsAndPdfsEqualReference) {
-    const auto inputs = directions();
-    for (const Sky& s : kSkies) {
-        SCOPED_TRACE(testing::Message() << s.width << "x" << s.height);
-        const SceneArrays arrays = sky(s.width, s.height, s.rotationDegrees);
+    forEverySky([](const SceneArrays& arrays, const std::vector<In>& inputs, const std::vector<Out>& out) {
         const reference::Environment environment(arrays);
-        const auto out = ProbeScene(arrays).evaluate<Out>("environment", inputs);
         for (std::size_t i = 0; i < inputs.size(); ++i) {
             const auto expected = environment.sample(glm::vec2(inputs[i].u));
             ASSERT_EQ(out[i].sampledPdf, expected.pdf) << i;
@@ -99,7 +102,7 @@ TEST_F(EnvironmentProbe, SampledDirectionsAndPdfsEqualReference) {
             const double sine = std::sqrt(std::max(1e-7, 1 - double{expected.direction.y} * expected.direction.y));
             ASSERT_TRUE(isNear(out[i].sampled, expected.direction, 1e-6 + 3e-7 / sine)) << i;
         }
-    }
+    });
 }
 
 }  // namespace
