@@ -5,7 +5,6 @@
 #include "reference/bsdf.h"
 #include "reference/camera.h"
 #include "reference/frame.h"
-#include "reference/geometry.h"
 #include "reference/traverse.h"
 
 namespace vkpt::reference {
@@ -19,167 +18,177 @@ float powerHeuristic(float mine, float other) {
     return 1 / (1 + ratio * ratio);
 }
 
-}  // namespace
-
-/// The state of one path, and the steps of estimator.md under their numbers.
-class Path {
+/// The surface that one segment met, and the steps of estimator.md there.
+class Surface {
 public:
-    Path(const PathTracer& tracer, std::uint32_t x, std::uint32_t y, std::uint32_t index, PathTally& tally)
-        : scene_(tracer.scene_),
-          params_(tracer.params_),
-          lights_(tracer.lights_),
-          sample_{tracer.bits_, {x | y << 16U, index, tracer.params_.spp, tracer.params_.seed}},
-          tally_(tally) {
-        ray_ = cameraRay(params_, glm::vec2(x, y) + sample_.get2D(kDimFilter));
-    }
+    Surface(const SceneArrays& scene, const RenderParams& params, const Lights& lights, const PathState& state,
+            const Hit& hit)
+        : scene_(scene),
+          params_(params),
+          lights_(lights),
+          state_(state),
+          hit_(hit),
+          triangle_(scene.triangles[hit.triangle]),
+          material_(materialOf(scene, triangle_)),
+          attributes_(interpolateAttributes(scene, triangle_, hit.barycentrics)),
+          wo_(-state.ray.direction),
+          point_(makeShadingPoint(scene, hit, attributes_, wo_)) {}
 
-    void trace() {
-        for (bounce_ = 0;; ++bounce_) {
-            const auto hit = intersect();  // 1
-            if (!hit) return addMiss();    // 2
-            if (bounce_ == 0) tally_.sums.red.w += 1;
-            const Surface surface = meet(*hit);
-            addEmission(*hit, surface);                                    // 3
-            if (surface.isUnlit() || bounce_ == params_.maxDepth) return;  // 4
-            const Scattering scattering = prepare(surface);
-            addLight(scattering);                             // 5
-            if (!scatter(scattering) || !survives()) return;  // 6, 7
-        }
+    [[nodiscard]] PathVertex shade() const {
+        PathVertex vertex;
+        vertex.point = point_;
+        vertex.material = triangle_.flags >> kTriangleMaterialShift;
+        vertex.emitted = emitted();                                         // 3
+        if (isUnlit() || state_.bounce == params_.maxDepth) return vertex;  // 4
+        const Scattering at = prepare();
+        vertex.direct = sampleLight(at);                               // 5
+        vertex.next = scatter(at);                                     // 6
+        if (vertex.next && !survives(*vertex.next)) vertex.next = {};  // 7
+        return vertex;
     }
 
 private:
-    struct Surface {
-        const TriangleRecord& triangle;
-        const MaterialRecord& material;
-        Attributes attributes;
-        ShadingPoint point;
-        glm::vec3 wo;
-
-        [[nodiscard]] bool isUnlit() const { return (material.flags & kMaterialUnlit) != 0; }
-    };
-
     struct Scattering {
-        ShadingPoint point;
         Frame<float> frame;
         Bsdf<float> bsdf;
         glm::vec3 wo;  ///< local
     };
 
+    [[nodiscard]] bool isUnlit() const { return (material_.flags & kMaterialUnlit) != 0; }
     [[nodiscard]] std::uint32_t dimension(std::uint32_t use) const {
-        return kDimBounce + bounce_ * kDimBounceStride + use;
+        return kDimBounce + state_.bounce * kDimBounceStride + use;
     }
 
-    void add(const glm::vec3& contribution) {
-        if (isBlack(contribution)) return;
-        if (!addContribution(tally_.sums, contribution)) ++tally_.refused;
-    }
-
-    std::optional<Hit> intersect() {
-        ++tally_.pathRays;
-        return closestHit(scene_, ray_, alphaKey(sample_.id, bounce_, kRayPath));
-    }
-
-    void addMiss() {
-        if (bounce_ > 0) {
-            const float w = powerHeuristic(pdfBsdf_, lights_.pdfEnvironment(ray_.direction));
-            return add(throughput_ * lights_.environment().radiance(ray_.direction) * w);
-        }
-        if (params_.backgroundMode == kBackgroundTransparent) return;
-        tally_.sums.red.w += 1;
-        add(params_.backgroundMode == kBackgroundColor ? params_.background
-                                                       : lights_.environment().radiance(ray_.direction));
-    }
-
-    [[nodiscard]] Surface meet(const Hit& hit) const {
-        const TriangleRecord& triangle = scene_.triangles[hit.triangle];
-        const Attributes attributes = interpolateAttributes(scene_, triangle, hit.barycentrics);
-        const glm::vec3 wo = -ray_.direction;
-        return {triangle, materialOf(scene_, triangle), attributes, makeShadingPoint(scene_, hit, attributes, wo), wo};
-    }
-
-    void addEmission(const Hit& hit, const Surface& surface) {
-        if (surface.isUnlit()) {
-            return add(throughput_ * glm::vec3(baseColor(scene_, surface.material, surface.attributes)));
-        }
-        if (!surface.point.front && (surface.material.flags & kMaterialDoubleSided) == 0) return;
-        const glm::vec3 le = emission(scene_, surface.material, surface.attributes);
-        if (isBlack(le)) return;
+    [[nodiscard]] glm::vec3 emitted() const {
+        if (isUnlit()) return state_.throughput * glm::vec3(baseColor(scene_, material_, attributes_));
+        if (!point_.front && (material_.flags & kMaterialDoubleSided) == 0) return glm::vec3(0);
+        const glm::vec3 le = emission(scene_, material_, attributes_);
+        if (isBlack(le)) return le;
         float w = 1;
-        if (surface.triangle.light != kNone) {
-            const LightRecord& light = scene_.lights[surface.triangle.light];
-            w = powerHeuristic(pdfBsdf_, lights_.pdfTriangle(light, ray_.direction, hit.t));
+        if (triangle_.light != kNone) {
+            const LightRecord& light = scene_.lights[triangle_.light];
+            w = powerHeuristic(state_.pdfBsdf, lights_.pdfTriangle(light, state_.ray.direction, hit_.t));
         }
-        add(throughput_ * le * w);
+        return state_.throughput * le * w;
     }
 
-    [[nodiscard]] Scattering prepare(const Surface& surface) const {
-        const glm::vec3 base(baseColor(scene_, surface.material, surface.attributes));
-        const glm::vec2 mr = metallicRoughness(scene_, surface.material, surface.attributes);
-        const Frame<float> frame(surface.point.ns);
-        const glm::vec3 wo = frame.toLocal(surface.wo);
-        return {surface.point, frame, makeBsdf(base, mr.x, mr.y, std::abs(wo.z)), wo};
+    [[nodiscard]] Scattering prepare() const {
+        const glm::vec3 base(baseColor(scene_, material_, attributes_));
+        const glm::vec2 mr = metallicRoughness(scene_, material_, attributes_);
+        const Frame<float> frame(point_.ns);
+        const glm::vec3 wo = frame.toLocal(wo_);
+        return {frame, makeBsdf(base, mr.x, mr.y, std::abs(wo.z)), wo};
     }
 
     /// Next event estimation.
-    void addLight(const Scattering& at) {
-        if (!at.bsdf.hasDensity() || lights_.empty()) return;
-        const auto light = lights_.sample(at.point.position, sample_.get1D(dimension(kDimLight)),
-                                          sample_.get2D(dimension(kDimLightPoint)));
-        if (!light || glm::dot(light->wi, at.point.ng) <= 0) return;
+    [[nodiscard]] std::optional<DirectLight> sampleLight(const Scattering& at) const {
+        if (!at.bsdf.hasDensity() || lights_.empty()) return std::nullopt;
+        const PathSample& sample = state_.sample;
+        const auto light = lights_.sample(point_.position, sample.get1D(dimension(kDimLight)),
+                                          sample.get2D(dimension(kDimLightPoint)));
+        if (!light || glm::dot(light->wi, point_.ng) <= 0) return std::nullopt;
         const glm::vec3 wi = at.frame.toLocal(light->wi);
         const glm::vec3 f = evalBsdf(at.bsdf, at.wo, wi);
         const float w = light->punctual ? 1 : powerHeuristic(light->pdf, pdfBsdf(at.bsdf, at.wo, wi));
-        const glm::vec3 contribution = throughput_ * f * std::abs(wi.z) * light->radiance / light->pdf * w;
-        if (isBlack(contribution) || isOccluded(at.point.rayOrigin, *light)) return;
-        add(contribution);
+        DirectLight direct;
+        direct.contribution = state_.throughput * f * std::abs(wi.z) * light->radiance / light->pdf * w;
+        if (isBlack(direct.contribution)) return std::nullopt;
+        direct.shadowRay = {point_.rayOrigin, light->infinite ? light->wi : light->end - point_.rayOrigin};
+        if (light->infinite) direct.tMax = std::numeric_limits<float>::infinity();
+        return direct;
     }
 
-    bool isOccluded(const glm::vec3& origin, const LightSample& light) {
-        ++tally_.shadowRays;
-        const std::uint32_t key = alphaKey(sample_.id, bounce_, kRayShadow);
-        if (light.infinite) return anyHit(scene_, {origin, light.wi}, std::numeric_limits<float>::infinity(), key);
-        return anyHit(scene_, {origin, light.end - origin}, 1, key);
-    }
-
-    /// Draws the next ray; false where the path ends.
-    bool scatter(const Scattering& at) {
+    /// Draws the next ray; nothing where the path ends.
+    [[nodiscard]] std::optional<PathState> scatter(const Scattering& at) const {
+        const PathSample& sample = state_.sample;
         const auto drawn =
-            sampleBsdf(at.bsdf, at.wo, sample_.get1D(dimension(kDimLobe)), sample_.get2D(dimension(kDimBsdf)));
+            sampleBsdf(at.bsdf, at.wo, sample.get1D(dimension(kDimLobe)), sample.get2D(dimension(kDimBsdf)));
         const glm::vec3 wi = at.frame.toWorld(drawn.wi);
-        if (isBlack(drawn.weight) || glm::dot(wi, at.point.ng) <= 0) return false;
-        throughput_ *= drawn.weight;
-        pdfBsdf_ = drawn.pdf;
-        ray_ = {at.point.rayOrigin, wi};
-        return !isBlack(throughput_);
+        if (isBlack(drawn.weight) || glm::dot(wi, point_.ng) <= 0) return std::nullopt;
+        const glm::vec3 throughput = state_.throughput * drawn.weight;
+        if (isBlack(throughput)) return std::nullopt;
+        return PathState{sample, state_.bounce + 1, {point_.rayOrigin, wi}, throughput, drawn.pdf};
     }
 
     /// Russian roulette.
-    bool survives() {
-        if (params_.rrMode == kRouletteOff || bounce_ + 1 < params_.rrDepth) return true;
+    [[nodiscard]] bool survives(PathState& next) const {
+        if (params_.rrMode == kRouletteOff || state_.bounce + 1 < params_.rrDepth) return true;
+        glm::vec3& throughput = next.throughput;
         const float q = params_.rrMode == kRouletteFixed
                             ? params_.rrFixed
-                            : std::min(1.0F, std::max({throughput_.x, throughput_.y, throughput_.z}));
-        if (!(sample_.get1D(dimension(kDimRoulette)) < q)) return false;
-        throughput_ /= q;
+                            : std::min(1.0F, std::max({throughput.x, throughput.y, throughput.z}));
+        if (!(state_.sample.get1D(dimension(kDimRoulette)) < q)) return false;
+        throughput /= q;
         return true;
     }
 
     const SceneArrays& scene_;
     const RenderParams& params_;
     const Lights& lights_;
-    PathSample sample_;
-    PathTally& tally_;
-    Ray ray_;
-    glm::vec3 throughput_{1};
-    float pdfBsdf_ = std::numeric_limits<float>::infinity();
-    std::uint32_t bounce_ = 0;
+    const PathState& state_;
+    const Hit& hit_;
+    const TriangleRecord& triangle_;
+    const MaterialRecord& material_;
+    Attributes attributes_;
+    glm::vec3 wo_;
+    ShadingPoint point_;
 };
+
+void add(PathTally& tally, const glm::vec3& contribution) {
+    if (isBlack(contribution)) return;
+    if (!addContribution(tally.sums, contribution)) ++tally.refused;
+}
+
+}  // namespace
 
 PathTracer::PathTracer(const SceneArrays& scene, const RenderOptions& options)
     : scene_(scene), params_(options.params), lights_(scene), bits_(samplerBits(options.sampler)) {}
 
+PathState PathTracer::start(std::uint32_t x, std::uint32_t y, std::uint32_t index) const {
+    PathState state;
+    state.sample = {bits_, {x | y << 16U, index, params_.spp, params_.seed}};
+    state.ray = cameraRay(params_, glm::vec2(x, y) + state.sample.get2D(kDimFilter));
+    return state;
+}
+
+std::optional<Hit> PathTracer::intersect(const PathState& state) const {
+    return closestHit(scene_, state.ray, alphaKey(state.sample.id, state.bounce, kRayPath));
+}
+
+glm::vec3 PathTracer::miss(const PathState& state) const {
+    const glm::vec3& d = state.ray.direction;
+    if (state.bounce > 0) {
+        const float w = powerHeuristic(state.pdfBsdf, lights_.pdfEnvironment(d));
+        return state.throughput * lights_.environment().radiance(d) * w;
+    }
+    if (params_.backgroundMode == kBackgroundTransparent) return glm::vec3(0);
+    return params_.backgroundMode == kBackgroundColor ? params_.background : lights_.environment().radiance(d);
+}
+
+PathVertex PathTracer::shade(const PathState& state, const Hit& hit) const {
+    return Surface(scene_, params_, lights_, state, hit).shade();
+}
+
+bool PathTracer::isOccluded(const PathState& state, const DirectLight& direct) const {
+    return anyHit(scene_, direct.shadowRay, direct.tMax, alphaKey(state.sample.id, state.bounce, kRayShadow));
+}
+
 void PathTracer::trace(std::uint32_t x, std::uint32_t y, std::uint32_t index, PathTally& tally) const {
-    Path(*this, x, y, index, tally).trace();
+    std::optional<PathState> state = start(x, y, index);
+    while (state) {
+        ++tally.pathRays;
+        const auto hit = intersect(*state);  // 1
+        const bool seen = hit || params_.backgroundMode != kBackgroundTransparent;
+        if (state->bounce == 0 && seen) tally.sums.red.w += 1;
+        if (!hit) return add(tally, miss(*state));  // 2
+        const PathVertex vertex = shade(*state, *hit);
+        add(tally, vertex.emitted);
+        if (vertex.direct) {
+            ++tally.shadowRays;
+            if (!isOccluded(*state, *vertex.direct)) add(tally, vertex.direct->contribution);
+        }
+        state = vertex.next;
+    }
 }
 
 }  // namespace vkpt::reference

@@ -23,20 +23,17 @@ std::vector<std::uint32_t> specializationOf(const SceneFeatures& f, SamplerId sa
             f.textureTransforms};
 }
 
-namespace {
-
-Kernel makeKernel(Device& device, std::string_view name, std::span<const std::uint32_t> specialization) {
-    return {device, kernelSpirv(name), kKernelBindings, sizeof(BatchParams), specialization, name};
+WavefrontKernels::WavefrontKernels(Device& device, const SpirvSource& spirv,
+                                   std::span<const std::uint32_t> specialization, bool useBallot) {
+    const auto make = [&](std::string_view name) -> Kernel {
+        return {device, spirv(name), kKernelBindings, sizeof(BatchParams), specialization, name};
+    };
+    generate = make("generate");
+    intersect = make(useBallot ? "intersect" : "intersect_portable");
+    shade = make(useBallot ? "shade" : "shade_portable");
+    miss = make("miss");
+    shadow = make("shadow");
+    accumulate = make("accumulate");
 }
-
-}  // namespace
-
-WavefrontKernels::WavefrontKernels(Device& device, std::span<const std::uint32_t> specialization, bool useBallot)
-    : generate(makeKernel(device, "generate", specialization)),
-      intersect(makeKernel(device, useBallot ? "intersect" : "intersect_portable", specialization)),
-      shade(makeKernel(device, useBallot ? "shade" : "shade_portable", specialization)),
-      miss(makeKernel(device, "miss", specialization)),
-      shadow(makeKernel(device, "shadow", specialization)),
-      accumulate(makeKernel(device, "accumulate", specialization)) {}
 
 }  // namespace vkpt

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gpu/kernel.h"
+#include "gpu/spirv_source.h"
 #include "scene/render_options.h"
 #include "scene/scene_arrays.h"
 
@@ -29,7 +30,8 @@ struct WavefrontKernels {
     Kernel generate, intersect, shade, miss, shadow, accumulate;
 
     /// `useBallot` false: the variants that need no subgroup operations.
-    WavefrontKernels(Device& device, std::span<const std::uint32_t> specialization, bool useBallot);
+    WavefrontKernels(Device& device, const SpirvSource& spirv, std::span<const std::uint32_t> specialization,
+                     bool useBallot);
 };
 
 }  // namespace vkpt

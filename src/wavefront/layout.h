@@ -1,5 +1,6 @@
 // Sizes and offsets of the device's path state, queues and counters: the host's side of shaders/kernels/state.glsl.
 #pragma once
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -22,6 +23,24 @@ inline constexpr std::uint32_t kQueueArrays = 5;   ///< two ray queues, hits, mi
 enum class Queue : std::uint32_t { Ray, Hit, Miss, Shadow };
 inline constexpr std::uint32_t kQueues = 4;
 
+/// Arrays of the path state, each as long as there are slots.
+enum class StateArray : std::uint32_t {
+    Origin,      ///< xyz; w: pdf of the direction, negative: MIS weight 1
+    Direction,   ///< xyz; w: instance of the hit
+    Throughput,  ///< xyz
+    Hit,         ///< t, slot of the triangle, b1, b2
+    Red,         ///< exact sums; w: alpha
+    Green,
+    Blue,
+    ShadowOrigin,   ///< xyz; w: slot of the path. The shadow arrays are indexed by their queue.
+    ShadowTarget,   ///< xyz: from the origin to the light; w: tMax
+    ShadowRadiance  ///< xyz
+};
+
+/// Kernels in the order of a bounce.
+enum class Stage : std::uint32_t { Generate, Intersect, Miss, Shade, Shadow, Accumulate };
+inline constexpr std::array kStageNames = {"generate", "intersect", "miss", "shade", "shadow", "accumulate"};
+
 /// {groups, 1, 1, items} of one queue at one bounce.
 struct QueueCounter {
     std::uint32_t groups = 0, one0 = 1, one1 = 1, items = 0;
@@ -35,6 +54,12 @@ inline constexpr std::uint32_t kQueueBase = kRefusedCounter + 16;
 /// Byte offset of a queue's counter, which is also the argument of its indirect dispatch.
 [[nodiscard]] constexpr std::size_t queueCounterOffset(std::uint32_t bounce, Queue queue) {
     return (std::size_t{bounce} * kQueues + static_cast<std::size_t>(queue)) * sizeof(QueueCounter);
+}
+/// Index of a queue's first entry among the words of the counters. Ray queues alternate by the parity of the bounce;
+/// shadow items have no entries: they lie in the state arrays in the order of their slots.
+[[nodiscard]] constexpr std::size_t queueArrayOffset(std::uint32_t bounce, Queue queue, std::uint32_t capacity) {
+    const std::uint32_t array = queue == Queue::Ray ? bounce & 1U : static_cast<std::uint32_t>(queue) + 1;
+    return kQueueBase + std::size_t{array} * capacity;
 }
 [[nodiscard]] constexpr std::size_t stateBytes(std::uint32_t capacity) {
     return std::size_t{capacity} * kStateArrays * 16;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstring>
 #include <limits>
@@ -34,9 +35,11 @@ struct Frame {  // the uniform block of shaders/geometry/fetch.glsl
     RenderParams render;
 };
 
-/// Stage names in the order of their timestamps within a bounce.
-enum class Stage : std::uint32_t { Generate, Intersect, Miss, Shade, Shadow, Accumulate };
-constexpr std::array kStageNames = {"generate", "intersect", "miss", "shade", "shadow", "accumulate"};
+WavefrontStats zeroStats() {
+    WavefrontStats stats;
+    for (const char* name : kStageNames) stats.stages.push_back({name, 0, 0});
+    return stats;
+}
 
 bool useTexels(const Device& device, WavefrontConfig::Fetch fetch, std::size_t bytes) {
     const bool texelsFit = TexelView::fits(device, bytes);
@@ -69,6 +72,15 @@ struct WavefrontRenderer::Impl {
         BindGroup group;
     };
 
+    /// Shows `observer` every stage while it lives.
+    struct Watch {
+        Watch(Impl& renderer, const StageObserver& observer) : impl(renderer) { impl.observer = &observer; }
+        ~Watch() { impl.observer = nullptr; }
+        Watch(const Watch&) = delete;
+        Watch& operator=(const Watch&) = delete;
+        Impl& impl;
+    };
+
     RenderOptions options;
     WavefrontConfig config;
     Device device;
@@ -85,12 +97,15 @@ struct WavefrontRenderer::Impl {
 
     Impl(const SceneArrays& arrays, const RenderOptions& renderOptions, const WavefrontConfig& wavefrontConfig);
     void createBuffers(const SceneArrays& arrays);
+    void writeFrame();
+    void clearFilm();
     [[nodiscard]] std::uint32_t counterBlocks() const { return options.params.maxDepth + 2; }
 
     void recordStart(const FilmBand& band, const BatchParams& batch);
     void recordBounces(const FilmBand& band, BatchParams batch, std::uint32_t begin, std::uint32_t end);
     void recordEnd(const FilmBand& band, const BatchParams& batch);
-    void stamp(Stage stage);
+    void finish(Stage stage, const BatchParams& batch);
+    void show(Stage stage, const BatchParams& batch);
     void submit(WavefrontStats& stats);
     void renderBatch(const FilmBand& band, BatchParams batch, WavefrontStats& stats);
     void renderPass(std::uint32_t firstSample, std::uint32_t sampleCount, const RenderControl& control,
@@ -100,6 +115,7 @@ struct WavefrontRenderer::Impl {
 
     std::uint32_t pathsPerBatch = 0;
     std::vector<Stage> stamps;  ///< stage that ends at each timestamp slot of the current submission
+    const StageObserver* observer = nullptr;
     double batchSeconds = 0;
 };
 
@@ -113,7 +129,8 @@ WavefrontRenderer::Impl::Impl(const SceneArrays& arrays, const RenderOptions& re
       texels(useTexels(device, config.fetch, layout.bytes)),
       stateTexel(useStateTexels(device, config.fetch, stateBytes(capacity))),
       ballot(config.ballot && device.info().subgroupBallot),
-      kernels(device, specializationOf(arrays.features, options.sampler, texels, ballot, stateTexel), ballot),
+      kernels(device, config.kernels ? config.kernels : SpirvSource(kernelSpirv),
+              specializationOf(arrays.features, options.sampler, texels, ballot, stateTexel), ballot),
       recorder(device, config.timings ? 4 * kBouncesPerSubmit + 4 : 0),
       pathsPerBatch(capacity) {
     if (counterBlocks() > kMaxBounceBlocks)
@@ -147,8 +164,7 @@ void WavefrontRenderer::Impl::createBuffers(const SceneArrays& arrays) {
     stateTexels = stateTexel ? TexelView(device, state, VK_FORMAT_R32G32B32A32_UINT, 0, stateBytes(capacity))
                              : TexelView(device, dummy, VK_FORMAT_R32G32B32A32_UINT, 0, 16);
 
-    const Frame contents{layout.header, options.params};
-    std::memcpy(frame.map().data(), &contents, sizeof contents);
+    writeFrame();
     const std::vector<QueueCounter> fresh(counterBytesUsed / sizeof(QueueCounter) - 4);
     std::memset(freshCounters.map().data(), 0, counterBytesUsed);
     std::memcpy(freshCounters.map().data(), fresh.data(), fresh.size() * sizeof(QueueCounter));
@@ -163,10 +179,34 @@ void WavefrontRenderer::Impl::createBuffers(const SceneArrays& arrays) {
     }
 }
 
-void WavefrontRenderer::Impl::stamp(Stage stage) {
+void WavefrontRenderer::Impl::writeFrame() {
+    const Frame contents{layout.header, options.params};
+    std::memcpy(frame.map().data(), &contents, sizeof contents);
+}
+
+void WavefrontRenderer::Impl::clearFilm() {
+    recorder.begin();
+    for (const auto& b : bands) recorder.fill(b.film, 0, b.film.size(), 0);
+    recorder.fill(counters, kRefusedCounter * 4, 4, 0);
+    recorder.submitAndWait();
+}
+
+/// Ends a stage that has just been recorded.
+void WavefrontRenderer::Impl::finish(Stage stage, const BatchParams& batch) {
+    recorder.barrier();
+    if (observer) return show(stage, batch);
     if (!config.timings) return;
     stamps.push_back(stage);
     recorder.timestamp(static_cast<std::uint32_t>(stamps.size()));
+}
+
+/// Runs what is recorded and shows the device to the observer; recording goes on afterwards.
+void WavefrontRenderer::Impl::show(Stage stage, const BatchParams& batch) {
+    recorder.submitAndWait();
+    const StageSnapshot snapshot{stage, batch, readStorage<uvec4>(device, state, 0, stateBytes(capacity) / 16),
+                                 readStorage<std::uint32_t>(device, counters, 0, counterBytes(capacity) / 4)};
+    (*observer)(snapshot);
+    recorder.begin();
 }
 
 void WavefrontRenderer::Impl::recordStart(const FilmBand& band, const BatchParams& batch) {
@@ -176,16 +216,14 @@ void WavefrontRenderer::Impl::recordStart(const FilmBand& band, const BatchParam
     recorder.update(counters, queueCounterOffset(0, Queue::Ray), std::as_bytes(std::span(&all, 1)));
     recorder.barrier();
     recorder.dispatch(kernels.generate, band.group, batch, groupsFor(batch.pathCount));
-    recorder.barrier();
-    stamp(Stage::Generate);
+    finish(Stage::Generate, batch);
 }
 
 void WavefrontRenderer::Impl::recordBounces(const FilmBand& band, BatchParams batch, std::uint32_t begin,
                                             std::uint32_t end) {
     const auto stage = [&](const Kernel& kernel, Queue queue, Stage id) {
         recorder.dispatchIndirect(kernel, band.group, batch, counters, queueCounterOffset(batch.bounce, queue));
-        recorder.barrier();
-        stamp(id);
+        finish(id, batch);
     };
     for (batch.bounce = begin; batch.bounce < end; ++batch.bounce) {
         stage(kernels.intersect, Queue::Ray, Stage::Intersect);
@@ -197,8 +235,7 @@ void WavefrontRenderer::Impl::recordBounces(const FilmBand& band, BatchParams ba
 
 void WavefrontRenderer::Impl::recordEnd(const FilmBand& band, const BatchParams& batch) {
     recorder.dispatch(kernels.accumulate, band.group, batch, groupsFor(batch.pixelCount));
-    recorder.barrier();
-    stamp(Stage::Accumulate);
+    finish(Stage::Accumulate, batch);
 }
 
 void WavefrontRenderer::Impl::submit(WavefrontStats& stats) {
@@ -300,19 +337,14 @@ WavefrontRenderer::~WavefrontRenderer() = default;
 Film WavefrontRenderer::render(const RenderControl& control, WavefrontStats* statsOut) {
     Impl& r = *impl_;
     const auto start = Clock::now();
-    WavefrontStats stats;
+    WavefrontStats stats = zeroStats();
     stats.device = r.device.info().name;
     stats.driver = r.device.info().driver;
     stats.fetch = r.texels ? "texel" : "storage";
-    for (const char* name : kStageNames) stats.stages.push_back({name, 0, 0});
     stats.uploadSeconds = r.uploadSeconds;
     stats.deviceBytes = r.plan.totalBytes();
 
-    r.recorder.begin();
-    for (const auto& b : r.bands) r.recorder.fill(b.film, 0, b.film.size(), 0);
-    r.recorder.fill(r.counters, kRefusedCounter * 4, 4, 0);
-    r.recorder.submitAndWait();
-
+    r.clearFilm();
     const std::uint64_t pixels = std::uint64_t{r.options.params.width} * r.options.params.height;
     const std::uint32_t samples = r.options.sampleEnd - r.options.sampleBegin;
     std::uint32_t done = 0;
@@ -331,6 +363,37 @@ Film WavefrontRenderer::render(const RenderControl& control, WavefrontStats* sta
     stats.validationMessages = r.device.validationMessages();
     if (statsOut) *statsOut = stats;
     return film;
+}
+
+void WavefrontRenderer::select(std::uint32_t seed, std::uint32_t begin, std::uint32_t end) {
+    impl_->options.params.seed = seed;
+    impl_->options.sampleBegin = begin;
+    impl_->options.sampleEnd = end;
+    impl_->writeFrame();
+}
+
+std::vector<FilmSums> WavefrontRenderer::observe(std::uint32_t firstPixel, std::uint32_t pixelCount,
+                                                 const StageObserver& observer) {
+    Impl& r = *impl_;
+    const std::uint32_t samples = r.options.sampleEnd - r.options.sampleBegin;
+    const auto holdsAll = [&](const Impl::FilmBand& b) {
+        return b.band.firstPixel <= firstPixel && firstPixel + pixelCount <= b.band.firstPixel + b.band.pixelCount;
+    };
+    const auto band = std::ranges::find_if(r.bands, holdsAll);
+    if (band == r.bands.end() || std::uint64_t{pixelCount} * samples > r.capacity)
+        throw Error(ExitCode::Usage,
+                    fmt::format("{} samples of {} pixels are more than one batch", samples, pixelCount));
+    r.clearFilm();
+    WavefrontStats stats = zeroStats();
+    const Impl::Watch watch(r, observer);
+    r.renderBatch(*band,
+                  {.firstPixel = firstPixel,
+                   .pixelCount = pixelCount,
+                   .firstSample = r.options.sampleBegin,
+                   .sampleCount = samples},
+                  stats);
+    return readStorage<FilmSums>(r.device, band->film, (firstPixel - band->band.firstPixel) * sizeof(FilmSums),
+                                 pixelCount);
 }
 
 std::string WavefrontRenderer::memoryPlan() const { return impl_->plan.describe(); }

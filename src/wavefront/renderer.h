@@ -1,13 +1,17 @@
 // The wavefront path tracer on a Vulkan device.
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "film/film.h"
+#include "gpu/spirv_source.h"
 #include "scene/render_options.h"
 #include "scene/scene_arrays.h"
+#include "wavefront/layout.h"
 
 namespace vkpt {
 
@@ -23,7 +27,28 @@ struct WavefrontConfig {
     std::uint32_t pathsInFlight = 0;  ///< 0: 262,144
     bool timings = false;             ///< measure each stage
     bool ballot = true;               ///< compact by subgroup ballot where the device has it
+    SpirvSource kernels{};            ///< empty: those of shaders/kernels
 };
+
+/// The device between two kernels of a batch.
+struct StageSnapshot {
+    Stage stage = Stage::Generate;        ///< the one that has just run
+    BatchParams batch;                    ///< its push constants
+    std::vector<uvec4> state;             ///< as StateArray and slot say: see word()
+    std::vector<std::uint32_t> counters;  ///< of queues, then the queues themselves: see queue()
+
+    [[nodiscard]] const uvec4& word(StateArray array, std::uint32_t slot) const {
+        return state[static_cast<std::size_t>(array) * batch.capacity + slot];
+    }
+    /// The slots a queue holds.
+    [[nodiscard]] std::span<const std::uint32_t> queue(std::uint32_t bounce, Queue queue) const {
+        return {counters.data() + queueArrayOffset(bounce, queue, batch.capacity), queueSize(bounce, queue)};
+    }
+    [[nodiscard]] std::uint32_t queueSize(std::uint32_t bounce, Queue queue) const {
+        return counters[queueCounterOffset(bounce, queue) / 4 + 3];
+    }
+};
+using StageObserver = std::function<void(const StageSnapshot&)>;
 
 struct StageStats {
     std::string name;
@@ -50,6 +75,13 @@ public:
 
     /// Renders the options' sample range; stops early, after a pass, where `control` says so.
     [[nodiscard]] Film render(const RenderControl& control, WavefrontStats* stats = nullptr);
+    /// From now on renders samples [begin, end) under `seed`; the other options stay.
+    void select(std::uint32_t seed, std::uint32_t begin, std::uint32_t end);
+    /// Renders the options' sample range of `pixelCount` pixels from `firstPixel` on (row by row, within one band of
+    /// the film) in one batch, and shows `observer` the device after every kernel. Returns the pixels' sums. Throws
+    /// Error (Usage) where the paths exceed WavefrontConfig::pathsInFlight or the band.
+    [[nodiscard]] std::vector<FilmSums> observe(std::uint32_t firstPixel, std::uint32_t pixelCount,
+                                                const StageObserver& observer);
     /// What is allocated on the device, a line each.
     [[nodiscard]] std::string memoryPlan() const;
 

@@ -1,4 +1,7 @@
 // The renderer end to end: what must not change the image does not, to the bit.
+#include <cstring>
+
+#include "base/error.h"
 #include "bvh/build.h"
 #include "reference/render.h"
 #include "wavefront/render_helpers.h"
@@ -63,6 +66,45 @@ TEST(Renderer, RendersAgainWithTheSameResult) {
     WavefrontRenderer renderer(arrays, makeOptions(24, 20, 4), makeConfig());
     const Film first = renderer.render({});
     EXPECT_TRUE(isSame(first, renderer.render({})));
+}
+
+TEST(Renderer, SelectedSamplesAreThoseOfAFreshRenderer) {
+    const SceneArrays arrays = makeEverything();
+    RenderOptions options = makeOptions(24, 20, 4);
+    WavefrontRenderer renderer(arrays, options, makeConfig());
+    const Film first = renderer.render({});
+    options.params.seed = 77;
+    options.sampleBegin = 1;
+    options.sampleEnd = 3;
+    renderer.select(77, 1, 3);
+    EXPECT_TRUE(isSame(renderer.render({}), renderWith(arrays, options)));
+    renderer.select(makeOptions(24, 20, 4).params.seed, 0, 4);
+    EXPECT_TRUE(isSame(renderer.render({}), first));
+}
+
+TEST(Renderer, ObservedBatchesGiveTheSumsOfTheFilm) {
+    const SceneArrays arrays = makeEverything();
+    const RenderOptions options = makeOptions(24, 20, 4);
+    WavefrontRenderer renderer(arrays, options, makeConfig());
+    const Film film = renderer.render({});
+    std::vector<Stage> stages;
+    std::uint32_t rays = 0;
+    const auto sums = renderer.observe(24, 48, [&](const StageSnapshot& snapshot) {
+        stages.push_back(snapshot.stage);
+        if (snapshot.stage == Stage::Generate) rays = snapshot.queueSize(0, Queue::Ray);
+        if (snapshot.stage != Stage::Intersect) return;
+        const std::uint32_t b = snapshot.batch.bounce;
+        EXPECT_EQ(snapshot.queue(b, Queue::Hit).size() + snapshot.queue(b, Queue::Miss).size(),
+                  snapshot.queueSize(b, Queue::Ray));
+    });
+    EXPECT_EQ(rays, 48U * 4);
+    EXPECT_EQ(stages.front(), Stage::Generate);
+    EXPECT_EQ(stages.back(), Stage::Accumulate);
+    EXPECT_EQ(stages.size(), 2 + 4 * 6 - 1U) << "six bounces, the last without a shadow stage";
+    ASSERT_EQ(sums.size(), 48U);
+    EXPECT_EQ(std::memcmp(sums.data(), film.sums.data() + 24, sums.size() * sizeof(FilmSums)), 0);
+    EXPECT_TRUE(isSame(renderer.render({}), film)) << "and change nothing afterwards";
+    EXPECT_THROW((void)renderer.observe(24, 24 * 20, {}), Error) << "beyond the film";
 }
 
 struct Length {
