@@ -1,6 +1,6 @@
 #version 460
 // Reads every field of shared/layout.h back, one word a field. Invocation i writes struct i of the list in main,
-// record 1 of its array. tests/gpu/layout_test.cpp lists the same fields on the host's side.
+// record 1 of its array. src/verify/probes/layout.cpp lists the same fields.
 #extension GL_GOOGLE_include_directive : require
 const uint kInputWords = 1u, kOutputWords = 32u;
 #define VKPT_FRAME_BINDING 2

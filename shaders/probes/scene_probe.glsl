@@ -1,5 +1,5 @@
 // Probes that read a scene: frame, scene words and scene texels at bindings 2, 3 and 4.
-// tests/wavefront/probe_scene.h binds them.
+// src/verify/prober.h binds them.
 #define VKPT_FRAME_BINDING 2
 #include "probes/probe.glsl"
 #include "geometry/fetch.glsl"

@@ -1,6 +1,6 @@
 // Data layouts shared by the host, the CPU reference and the shaders. Compiled as C++ and as GLSL.
 // Data only: no function bodies. Every struct is a whole number of 16-byte words ("words" below); the device
-// reads scene data word by word through shaders/geometry/fetch.glsl. tests/gpu reads every field back.
+// reads scene data word by word through shaders/geometry/fetch.glsl. src/verify reads every field back.
 // Changed a struct here? Update its load function in shaders/geometry/load.glsl and the layout probe.
 #ifndef VKPT_SHARED_LAYOUT_H
 #define VKPT_SHARED_LAYOUT_H

@@ -1,4 +1,4 @@
-// Arrays in, arrays out: runs one small kernel for a test.
+// Arrays in, arrays out: runs one small kernel and reads what it wrote.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -21,9 +21,18 @@ struct ProbeOptions {
     std::vector<Binding> extra{};                 ///< what is bound there
 };
 
-/// Runs `count` invocations of a kernel with binding 0 = input, binding 1 = output (both storage buffers, the output
-/// zeroed first), 64 invocations a group and push constants {uint count; options.push…}. The kernel returns early
-/// where gl_GlobalInvocationID.x >= count.
+/// A kernel with binding 0 = input, binding 1 = output (both storage buffers), `options.extraKinds` after them, 64
+/// invocations a group and push constants {uint count; options.push…}. It returns early where
+/// gl_GlobalInvocationID.x >= count.
+[[nodiscard]] Kernel makeProbeKernel(Device& device, std::span<const std::uint32_t> spirv, std::string_view name,
+                                     const ProbeOptions& options = {});
+
+/// Runs `count` invocations of such a kernel; the output is zeroed first.
+[[nodiscard]] std::vector<std::byte> runProbe(Device& device, const Kernel& kernel, std::span<const std::byte> input,
+                                              std::size_t outputBytes, std::uint32_t count,
+                                              const ProbeOptions& options = {});
+
+/// Both at once.
 [[nodiscard]] std::vector<std::byte> runProbe(Device& device, std::span<const std::uint32_t> spirv,
                                               std::string_view name, std::span<const std::byte> input,
                                               std::size_t outputBytes, std::uint32_t count,

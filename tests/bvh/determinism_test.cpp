@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "bvh/build.h"
-#include "soups.h"
+#include "verify/inputs/soups.h"
 
 namespace vkpt {
 namespace {

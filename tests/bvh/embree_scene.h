@@ -6,8 +6,8 @@
 #include <memory>
 #include <type_traits>
 
-#include "soups.h"
 #include "traverse.h"
+#include "verify/inputs/soups.h"
 
 namespace vkpt {
 

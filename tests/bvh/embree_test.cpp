@@ -8,10 +8,10 @@
 
 #include "bvh/build.h"
 #include "gltf/import.h"
-#include "rays.h"
 #include "scene/flatten.h"
-#include "soups.h"
 #include "traverse.h"
+#include "verify/inputs/rays.h"
+#include "verify/inputs/soups.h"
 
 namespace vkpt {
 namespace {

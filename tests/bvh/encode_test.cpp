@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "soups.h"
+#include "verify/inputs/soups.h"
 
 namespace vkpt {
 namespace {

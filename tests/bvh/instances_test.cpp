@@ -8,9 +8,9 @@
 #include "bvh/build.h"
 #include "bvh/item_refs.h"
 #include "check_tree.h"
-#include "rays.h"
-#include "soups.h"
 #include "traverse.h"
+#include "verify/inputs/rays.h"
+#include "verify/inputs/soups.h"
 
 namespace vkpt {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "bvh/build.h"
 #include "check_tree.h"
-#include "soups.h"
+#include "verify/inputs/soups.h"
 
 namespace vkpt {
 namespace {

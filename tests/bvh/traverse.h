@@ -12,12 +12,9 @@
 
 #include "bvh/wide_node.h"
 #include "scene/scene_arrays.h"
+#include "verify/inputs/rays.h"
 
 namespace vkpt {
-
-struct Ray {
-    glm::dvec3 origin{0}, direction{0, 0, 1};
-};
 
 struct Hit {
     double t = std::numeric_limits<double>::infinity();

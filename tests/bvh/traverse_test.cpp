@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "bvh/build.h"
-#include "rays.h"
+#include "verify/inputs/rays.h"
 
 namespace vkpt {
 namespace {

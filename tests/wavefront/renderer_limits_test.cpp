@@ -1,7 +1,7 @@
 // Nothing is cut short: many samples, many triangles, many bounces, films beyond one buffer.
 #include "reference/render.h"
 #include "wavefront/render_helpers.h"
-#include "wavefront/test_scenes.h"
+#include "verify/inputs/scenes.h"
 
 namespace vkpt {
 namespace {

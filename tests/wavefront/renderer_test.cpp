@@ -5,7 +5,7 @@
 #include "bvh/build.h"
 #include "reference/render.h"
 #include "wavefront/render_helpers.h"
-#include "wavefront/test_scenes.h"
+#include "verify/inputs/scenes.h"
 
 namespace vkpt {
 namespace {

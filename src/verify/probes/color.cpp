@@ -1,0 +1,76 @@
+#include <algorithm>
+
+#include "reference/real.h"
+#include "reference/texture.h"
+#include "verify/context.h"
+#include "verify/inputs/random_inputs.h"
+#include "verify/probes.h"
+
+namespace vkpt {
+namespace {
+
+struct In {
+    glm::vec4 color{0};
+    glm::vec2 pdfs{1, 1}, unused{0};
+};
+struct Out {
+    glm::vec3 linear;
+    float luminance, largest, weight;
+    glm::vec2 unused;
+};
+
+/// Every byte, and the joint of the curve. Vulkan's pow inherits exp2(y log2(x)): 2^-21 absolute in the logarithm near
+/// 1, 3 + 2|x| ulps in the power.
+void compareSrgb(Prober& prober, Findings& findings) {
+    std::vector<In> inputs;
+    for (std::uint32_t i = 0; i < 256; ++i)
+        inputs.push_back({.color = {static_cast<float>(i) / 255, static_cast<float>(255 - i) / 255, 0.04045F, 0}});
+    const auto out = prober.evaluate<Out>("color", inputs);
+    const auto scope =
+        findings.inputs([&](std::size_t i) { return "srgbToLinear of " + show(glm::vec3(inputs[i].color)); });
+    for (std::uint32_t i = 0; i < 256; ++i) {
+        findings.at(i);
+        findings.near("srgbToLinear", out[i].linear.r, reference::decodeSrgb(i), 0, 3e-6);
+        findings.near("srgbToLinear", out[i].linear.g, reference::decodeSrgb(255 - i), 0, 3e-6);
+        findings.near("srgbToLinear", out[i].linear.b, 0.04045 / 12.92, 0, 3e-6);
+    }
+}
+
+void compareLuminance(Prober& prober, Findings& findings) {
+    std::vector<In> inputs;
+    RandomInputs random(5);
+    for (int i = 0; i < 1000; ++i) inputs.push_back({.color = glm::vec4(random.inBox({0, 0, 0}, {10, 1, 100}), 0)});
+    const auto out = prober.evaluate<Out>("color", inputs);
+    const auto scope = findings.inputs([&](std::size_t i) { return "the colour " + show(glm::vec3(inputs[i].color)); });
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        findings.at(i);
+        const glm::vec3 c(inputs[i].color);
+        findings.near("luminance", out[i].luminance, reference::luminance<double>(glm::dvec3(c)), 0, 1e-6);
+        findings.equal("maxComponent", out[i].largest, std::max({c.r, c.g, c.b}));
+    }
+}
+
+/// Densities whose squares overflow or underflow among them.
+void compareHeuristic(Prober& prober, Findings& findings) {
+    std::vector<In> inputs;
+    for (const float pdf : {1e-30F, 1e-3F, 0.3F, 1.0F, 7.0F, 1e4F, 1e30F})
+        for (const float other : {0.0F, 1e-30F, 1e-3F, 0.3F, 1.0F, 7.0F, 1e4F, 1e30F})
+            inputs.push_back({.pdfs = {pdf, other}});
+    const auto out = prober.evaluate<Out>("color", inputs);
+    const auto scope = findings.inputs([&](std::size_t i) { return "the densities " + show(inputs[i].pdfs); });
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        findings.at(i);
+        const glm::dvec2 p(inputs[i].pdfs);
+        findings.near("powerHeuristic", out[i].weight, p.x * p.x / (p.x * p.x + p.y * p.y), 1e-30, 1e-6);
+    }
+}
+
+}  // namespace
+
+void checkColor(VerifyContext& context, Findings& findings) {
+    compareSrgb(context.prober(), findings);
+    compareLuminance(context.prober(), findings);
+    compareHeuristic(context.prober(), findings);
+}
+
+}  // namespace vkpt

@@ -1,0 +1,136 @@
+#include "reference/light.h"
+
+#include <array>
+
+#include "scene/environment.h"
+#include "verify/context.h"
+#include "verify/inputs/random_inputs.h"
+#include "verify/inputs/scenes.h"
+#include "verify/probes.h"
+
+namespace vkpt {
+namespace {
+
+struct In {
+    glm::vec3 from;
+    float uLight;
+    glm::vec4 u;
+};
+struct Out {
+    glm::vec3 wi;
+    float pdf;
+    glm::vec3 radiance;
+    float infinite;
+    glm::vec3 target;
+    float delta;
+};
+
+std::vector<In> pointsAmong(int count, std::uint32_t seed) {
+    std::vector<In> inputs;
+    RandomInputs random(seed);
+    for (int i = 0; i < count; ++i)
+        inputs.push_back({random.inBox({-3, 0, -3}, {3, 3, 3}), random.unit(), glm::vec4(random.square(), 0, 0)});
+    return inputs;
+}
+
+const LightRecord& chosenLight(const SceneArrays& arrays, const In& in) {
+    return arrays.lights[reference::sampleTable(arrays.lightCdf, in.uLight).index];
+}
+
+/// Cosine at a triangle light towards the point.
+double cosineAt(const LightRecord& light, const glm::dvec3& wi) {
+    const glm::dvec3 a(light.a), n = glm::cross(glm::dvec3(light.b) - a, glm::dvec3(light.c) - a);
+    return std::abs(glm::dot(glm::normalize(n), wi));
+}
+
+/// Directions: the rounding of the point on the light, 3e-7 of its size, over the distance. Their pdf divides by the
+/// cosine, which is off by as much.
+void compareSample(const LightRecord& light, const reference::LightSample& expected, const In& in, const Out& out,
+                   Findings& findings) {
+    const bool triangle = light.kind <= kLightTriangleTwoSided, sky = light.kind == kLightEnvironment;
+    const double distance = expected.infinite ? 1 : glm::distance(expected.end, in.from);
+    const double angle = sky ? 2e-5 : 1e-6 + 3e-6 / distance;
+    const double cosine = triangle ? cosineAt(light, glm::dvec3(expected.wi)) : 1;
+    findings.near("wi", out.wi, expected.wi, angle);
+    findings.near("pdf", out.pdf, expected.pdf, 0, 1e-5 + 4 * angle / cosine);
+    findings.near("radiance", out.radiance, expected.radiance, sky ? 1e-2 : 2e-5, 1e-5 + 4 * angle);
+    findings.equal("infinite", out.infinite != 0, expected.infinite);
+    findings.equal("delta", out.delta != 0, expected.punctual);
+    findings.near("target", out.target, expected.infinite ? expected.wi : expected.end,
+                  expected.infinite ? angle : 2e-6);
+}
+
+/// Counts the samples of each kind that bring light.
+using Lit = std::array<int, 6>;
+
+Lit compareSamples(Prober& prober, Findings& findings, const SceneArrays& arrays, const std::vector<In>& inputs) {
+    Lit lit{};
+    const reference::Lights lights(arrays);
+    const auto scope = findings.inputs([&](std::size_t i) {
+        return fmt::format("sampleLight from {}, uLight {}, u {}, a light of kind {}", show(inputs[i].from),
+                           inputs[i].uLight, show(glm::vec2(inputs[i].u)), chosenLight(arrays, inputs[i]).kind);
+    });
+    const auto out = ProbeScene(prober, arrays).evaluate<Out>(findings, "lights", inputs);
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        findings.at(i);
+        const LightRecord& light = chosenLight(arrays, inputs[i]);
+        const auto expected = lights.sample(inputs[i].from, inputs[i].uLight, glm::vec2(inputs[i].u));
+        if (!expected) {
+            findings.holds("no light", out[i].radiance == glm::vec3(0) || out[i].pdf <= 0, "there is some");
+            continue;
+        }
+        compareSample(light, *expected, inputs[i], out[i], findings);
+        if (glm::length(expected->radiance) > 0) ++lit[light.kind];
+    }
+    return lit;
+}
+
+void compareEveryKind(Prober& prober, Findings& findings) {
+    SceneArrays arrays = makeArrays(makeLamps());
+    EnvironmentMap map{6, 4, {}};
+    RandomInputs random(40);
+    for (int i = 0; i < 24; ++i) map.texels.push_back(random.inBox({0, 0, 0}, {1, 1, 1}));
+    addEnvironment(arrays, map, 3, 25);
+    const Lit lit = compareSamples(prober, findings, arrays, pointsAmong(12000, 41));
+    for (const int count : lit) findings.atLeast("samples lit by each kind", count, 31);
+}
+
+/// One light needs no table.
+void compareSingleLights(Prober& prober, Findings& findings) {
+    Scene scene = makeLamps();
+    for (Material& material : scene.materials) material.emissive = glm::vec3(0);
+    for (const PunctualLight& light : makeLamps().lights) {
+        scene.lights = {light};
+        const SceneArrays arrays = makeArrays(scene);
+        findings.equal("lights in the scene", arrays.lights.size(), 1U);
+        const Lit lit = compareSamples(prober, findings, arrays, pointsAmong(2000, 42));
+        findings.atLeast("samples lit by a single light", lit[arrays.lights[0].kind], 101);
+    }
+}
+
+/// Lights are chosen in proportion to their pmf.
+void compareShares(Prober& prober, Findings& findings) {
+    const SceneArrays arrays = makeArrays(makeLamps());
+    std::vector<In> inputs;
+    const int count = 1 << 14;
+    for (int i = 0; i < count; ++i)
+        inputs.push_back(
+            {{0, 0.5F, 0}, static_cast<float>(i) / static_cast<float>(count), glm::vec4(0.3F, 0.4F, 0, 0)});
+    const auto scope = findings.inputs([](std::size_t) { return std::string("uLight over [0, 1)"); });
+    const auto out = ProbeScene(prober, arrays).evaluate<Out>(findings, "lights", inputs);
+    double spots = 0, expected = 0;  // delta lights: what pdf reports is the pmf itself
+    for (const Out& o : out) spots += o.delta != 0 ? 1 : 0;
+    for (const LightRecord& light : arrays.lights)
+        if (light.kind >= kLightPoint && light.kind <= kLightDirectional) expected += double{light.pmf};
+    findings.near("share of delta lights", spots / count, expected, 8.0 / count);
+}
+
+}  // namespace
+
+void checkLights(VerifyContext& context, Findings& findings) {
+    compareEveryKind(context.prober(), findings);
+    compareSingleLights(context.prober(), findings);
+    compareShares(context.prober(), findings);
+}
+
+}  // namespace vkpt

@@ -1,0 +1,56 @@
+// Written once: a new line of registry.def is covered with no edit here.
+#include "reference/sampler.h"
+#include "verify/context.h"
+#include "verify/probes.h"
+
+namespace vkpt {
+namespace {
+
+struct In {
+    reference::SampleId id;
+    glm::uvec4 dim;
+};
+struct Out {
+    std::uint32_t bits;
+    float unit;
+    glm::uvec2 unused;
+};
+
+/// Pixels, indices, dimensions and seeds at the ends and in the middle of their ranges; dimensions go beyond those
+/// that a table of direction numbers or of primes holds.
+std::vector<In> sampleGrid() {
+    std::vector<In> grid;
+    for (const std::uint32_t pixel : {0U, 1U, 7U, 1U << 16U, 31U | 17U << 16U, 0xffffU, 0xffffffffU})
+        for (const std::uint32_t index : {0U, 1U, 2U, 3U, 13U, 64U, 1023U, 1024U, 65535U, 0x12345678U, 0xffffffffU})
+            for (const std::uint32_t dim :
+                 {0U, 1U, 2U, 7U, 8U, 9U, 24U, 130U, 1000U, 3665U, 3666U, 3667U, 3668U, 7333U, 7334U, 65544U})
+                for (const std::uint32_t seed : {0U, 1U, 42U, 0xffffffffU})
+                    grid.push_back({{pixel, index, 1024, seed}, {dim, 0, 0, 0}});
+    for (std::uint32_t index = 0; index < 64; ++index)
+        for (std::uint32_t dim = 0; dim < 40; ++dim) grid.push_back({{5U | 9U << 16U, index, 64, 3}, {dim, 0, 0, 0}});
+    return grid;
+}
+
+}  // namespace
+
+void checkSamplers(VerifyContext& context, Findings& findings) {
+    const std::vector<In> grid = sampleGrid();
+    const ProbeScene scene(context.prober(), SceneArrays{});
+    for (const SamplerInfo& sampler : kSamplers) {
+        const auto scope = findings.inputs([&](std::size_t i) {
+            const auto& [id, dim] = grid[i];
+            return fmt::format("{}: pixel {}, index {}, seed {}, dimension {}", sampler.name, id.pixel, id.index,
+                               id.seed, dim.x);
+        });
+        const auto bits = reference::samplerBits(sampler.id);
+        const auto out = scene.evaluate<Out>(findings, "samplers", grid, sampler.id);
+        for (std::size_t i = 0; i < grid.size(); ++i) {
+            findings.at(i);
+            const std::uint32_t expected = bits(grid[i].id, grid[i].dim.x);
+            findings.equal(sampler.name, out[i].bits, expected);
+            findings.equal("toUnit", out[i].unit, reference::toUnit(expected));
+        }
+    }
+}
+
+}  // namespace vkpt

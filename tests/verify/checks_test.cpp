@@ -1,0 +1,52 @@
+// Every check of the table agrees, and the validation layers stay silent meanwhile. A new check is covered with no
+// edit here.
+#include "verify/check.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "verify/context.h"
+#include "verify/inputs/scenes.h"
+
+namespace vkpt {
+
+void PrintTo(const Check& check, std::ostream* out) { *out << check.name; }
+
+namespace {
+
+/// One for all tests: probes are compiled once.
+VerifyContext& context() {
+    static const SceneArrays scene = makeEverything();
+    static const RenderOptions options;
+    static VerifyContext context(scene, options, [] {
+        VerifyConfig config;
+        config.wavefront.device = getenv("VKPT_TEST_DEVICE") ? getenv("VKPT_TEST_DEVICE") : "";
+        config.wavefront.validation = true;
+        return config;
+    }());
+    return context;
+}
+
+class EveryCheck : public testing::TestWithParam<Check> {};
+
+TEST_P(EveryCheck, Agrees) {
+    Findings findings;
+    GetParam().run(context(), findings);
+    if (const auto& d = findings.disagreement()) ADD_FAILURE() << d->quantity << ": " << d->what << "\n" << d->where;
+    EXPECT_GT(findings.compared(), 0U) << "nothing was compared";
+    EXPECT_EQ(context().validationMessages(), 0U);
+}
+
+std::string testName(const testing::TestParamInfo<Check>& test) {
+    std::string name(test.param.name);
+    std::ranges::replace_if(
+        name, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+    return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Ladder, EveryCheck, testing::ValuesIn(verifyChecks().begin(), verifyChecks().end()), testName);
+
+}  // namespace
+}  // namespace vkpt
