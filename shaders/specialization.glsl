@@ -1,17 +1,22 @@
-// Specialization constants of every kernel: what a render does not need is not in its kernels.
+// Specialization constants of every kernel: what a render does not need is not in its kernels. Counts bound loops, which
+// then unroll: where invocations run in lockstep on a CPU, a loop saves and loads all that is live at each round.
 // Changed the order? Update specializationOf (src/wavefront/kernels.cpp).
 layout(constant_id = 0) const uint kSampler = 0u;
 layout(constant_id = 1) const uint kFetchTexel = 0u;       // read the scene through a texel buffer
 layout(constant_id = 2) const uint kHasInstances = 0u;
 layout(constant_id = 3) const uint kHasAlpha = 0u;
-layout(constant_id = 4) const uint kHasTextures = 0u;
-layout(constant_id = 5) const uint kHasNormalMaps = 0u;
-layout(constant_id = 6) const uint kHasVertexExtras = 0u;
-layout(constant_id = 7) const uint kHasTriangleLights = 0u;
-layout(constant_id = 8) const uint kHasTexturedEmission = 0u;
-layout(constant_id = 9) const uint kHasPunctualLights = 0u;
-layout(constant_id = 10) const uint kHasEnvironment = 0u;
-layout(constant_id = 11) const uint kHasUnlit = 0u;
-layout(constant_id = 12) const uint kUseBallot = 0u;       // compaction by subgroup ballot, else by shared memory
-layout(constant_id = 13) const uint kStateTexel = 0u;      // read path state through a texel buffer
-layout(constant_id = 14) const uint kHasTransforms = 1u;   // some texture has KHR_texture_transform
+layout(constant_id = 4) const uint kSceneMaps = 0u;        // roles of the maps that some material has
+layout(constant_id = 5) const uint kHasVertexExtras = 0u;
+layout(constant_id = 6) const uint kHasTriangleLights = 0u;
+layout(constant_id = 7) const uint kHasTexturedEmission = 0u;
+layout(constant_id = 8) const uint kHasPunctualLights = 0u;
+layout(constant_id = 9) const uint kHasEnvironment = 0u;
+layout(constant_id = 10) const uint kHasUnlit = 0u;
+layout(constant_id = 11) const uint kUseBallot = 0u;       // compaction by subgroup ballot, else by shared memory
+layout(constant_id = 12) const uint kStateTexel = 0u;      // read path state through a texel buffer
+layout(constant_id = 13) const uint kHasTransforms = 1u;   // some texture has KHR_texture_transform
+layout(constant_id = 14) const uint kMapSets = 4u;         // sets of maps that some material has, at most
+layout(constant_id = 15) const uint kIndexDigits = 8u;     // hexadecimal digits that hold every sample index
+layout(constant_id = 16) const uint kLightSteps = 32u;     // of searchCdf in each of its tables
+layout(constant_id = 17) const uint kRowSteps = 32u;
+layout(constant_id = 18) const uint kColumnSteps = 32u;

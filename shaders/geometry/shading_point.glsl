@@ -9,6 +9,7 @@ struct ShadingPoint {
     ShadingFrame frame;
     SurfaceUv uv;
     MaterialRecord material;
+    MaterialMaps maps;
     uint light;        // its LightRecord, or kNone
 };
 
@@ -22,9 +23,9 @@ vec3 bendNormal(vec3 wo, vec3 ns, vec3 ng) {
 }
 
 // Normal map in the tangent frame of the unflipped normal.
-vec3 applyNormalMap(MaterialRecord m, SurfaceUv uv, vec3 n, vec4 tangent) {
-    if (kHasNormalMaps == 0u || m.normalTexture == kNone) return n;
-    vec3 c = surfaceTexture(m.normalTexture, uv, vec4(0.5, 0.5, 1.0, 1.0)).xyz * 2.0 - 1.0;
+vec3 applyNormalMap(MaterialRecord m, vec4 texel, vec3 n, vec4 tangent) {
+    if ((kSceneMaps & (1u << kMapNormal)) == 0u || m.normalTexture == kNone) return n;
+    vec3 c = texel.xyz * 2.0 - 1.0;
     vec3 t = tangent.xyz - n * dot(n, tangent.xyz);
     float t2 = dot(t, t);
     if (t2 <= 0.0) return n;
@@ -69,10 +70,11 @@ ShadingPoint makeShadingPoint(uint slot, uint instance, vec2 b12, vec3 wo) {
     p.offset = kOffsetScale * maxComponent(magnitude);
     p.uv = interpolateUv(vertices, a, b, c, w);
     p.material = loadMaterial(tri.flags >> kTriangleMaterialShift);
+    p.maps = sampleMaterialMaps(p.material, p.uv);
     p.light = tri.light;
     float n2 = dot(n, n);
     n = n2 > 0.0 ? n * inversesqrt(n2) : p.nGeometric;
-    vec3 ns = side * applyNormalMap(p.material, p.uv, n, vec4(t, ta.w));
+    vec3 ns = side * applyNormalMap(p.material, p.maps.normal, n, vec4(t, ta.w));
     p.frame = makeFrame(bendNormal(wo, ns, p.ng));
     return p;
 }

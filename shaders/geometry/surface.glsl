@@ -20,16 +20,17 @@ SurfaceUv interpolateUv(uvec3 vertices, VertexRecord a, VertexRecord b, VertexRe
     return s;
 }
 
-// The texture `index` at the surface, or `absent` where index is kNone.
-vec4 surfaceTexture(uint index, SurfaceUv s, vec4 absent) {
-    if (kHasTextures == 0u || index == kNone) return absent;
+// The texture `index` at the surface, white where index is kNone.
+vec4 surfaceTexture(uint index, SurfaceUv s) {
+    if (kSceneMaps == 0u || index == kNone) return vec4(1.0);
     TextureRecord t = loadTexture(index);
     vec2 uv = (t.flags & kTextureUv1) != 0u ? s.uv1 : s.uv0;
     return sampleTexture(t, uv);
 }
 
-vec4 surfaceBaseColor(MaterialRecord m, SurfaceUv s) {
-    vec4 c = m.baseColor * surfaceTexture(m.baseColorTexture, s, vec4(1.0));
+// Base colour with the texel of its map.
+vec4 surfaceBaseColor(MaterialRecord m, SurfaceUv s, vec4 texel) {
+    vec4 c = m.baseColor * texel;
     if (kHasVertexExtras != 0u && (m.flags & kMaterialVertexColor) != 0u) c *= s.color;
     return c;
 }

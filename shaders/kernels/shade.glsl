@@ -5,6 +5,7 @@
 #include "kernels/contribution.glsl"
 #include "material/texture.glsl"
 #include "geometry/surface.glsl"
+#include "material/maps.glsl"
 #include "geometry/octahedral.glsl"
 #include "geometry/shading_point.glsl"
 #include "microfacet/ggx.glsl"
@@ -36,8 +37,8 @@ PathVertex loadPathVertex(uint path) {
     v.t = uintBitsToFloat(hit.x);
     v.point = makeShadingPoint(hit.y, floatBitsToUint(direction.w), uintBitsToFloat(hit.zw), v.wo);
     MaterialRecord m = v.point.material;
-    v.baseColor = surfaceBaseColor(m, v.point.uv);
-    vec4 mr = surfaceTexture(m.metallicRoughnessTexture, v.point.uv, vec4(1.0));
+    v.baseColor = surfaceBaseColor(m, v.point.uv, v.point.maps.baseColor);
+    vec4 mr = v.point.maps.metallicRoughness;
     float roughness = m.roughness * mr.g;
     v.bsdf = GltfBsdf(v.baseColor.rgb, m.metallic * mr.b, roughness * roughness);
     return v;
@@ -51,7 +52,7 @@ vec3 emittedRadiance(PathVertex v) {
     if (isUnlit(v)) return v.baseColor.rgb;
     if (maxComponent(m.emissive) <= 0.0) return vec3(0.0);
     if (!v.point.front && (m.flags & kMaterialDoubleSided) == 0u) return vec3(0.0);
-    vec3 emission = m.emissive * surfaceTexture(m.emissiveTexture, v.point.uv, vec4(1.0)).rgb;
+    vec3 emission = m.emissive * v.point.maps.emissive.rgb;
     if (kHasTriangleLights == 0u || v.point.light == kNone || v.pdfBsdf < 0.0) return emission;
     uint light = scene.lights + v.point.light * 4u;
     float pmf = sceneWordFloat(light + 1u).w, area = sceneWordFloat(light + 2u).w;

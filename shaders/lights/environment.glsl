@@ -32,10 +32,10 @@ vec4 environmentLookup(vec3 d) {
 
 // World direction; radiance and pdf follow from environmentLookup at that direction's cell.
 vec3 sampleEnvironmentDirection(vec2 u, out float pdf) {
-    uvec3 row = searchCdf(scene.envRows, scene.envHeight, u.y);
+    uvec3 row = searchCdf(scene.envRows, scene.envHeight, u.y, kRowSteps);
     float r0 = uintBitsToFloat(row.y), r1 = uintBitsToFloat(row.z);
     uint stride = (scene.envWidth + 3u) >> 2u;
-    uvec3 column = searchCdf(scene.envColumns + row.x * stride, scene.envWidth, u.x);
+    uvec3 column = searchCdf(scene.envColumns + row.x * stride, scene.envWidth, u.x, kColumnSteps);
     float c0 = uintBitsToFloat(column.y), c1 = uintBitsToFloat(column.z);
     float fy = r1 > r0 ? (u.y - r0) / (r1 - r0) : 0.5, fx = c1 > c0 ? (u.x - c0) / (c1 - c0) : 0.5;
     float height = float(scene.envHeight);

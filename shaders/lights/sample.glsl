@@ -17,7 +17,7 @@ vec3 triangleLightEmission(LightRecord light, vec2 b01) {
     uvec3 vertices = sceneWord(base + 3u).xyz;
     SurfaceUv uv = interpolateUv(vertices, loadVertex(vertices.x), loadVertex(vertices.y), loadVertex(vertices.z),
                                  vec3(b01, 1.0 - b01.x - b01.y));
-    return light.color * surfaceTexture(m.emissiveTexture, uv, vec4(1.0)).rgb;
+    return light.color * surfaceTexture(m.emissiveTexture, uv).rgb;
 }
 
 LightSample sampleTriangleLight(LightRecord light, vec3 from, vec2 u) {
@@ -66,7 +66,7 @@ LightSample sampleEnvironmentLight(float pmf, vec2 u) {
 LightSample sampleLight(vec3 from, float uLight, vec2 u) {
     LightSample s = LightSample(vec3(0.0), false, vec3(0.0), vec3(0.0), 0.0, false);
     if (scene.lightCount == 0u) return s;
-    uint index = scene.lightCount == 1u ? 0u : searchCdf(scene.lightCdf, scene.lightCount, uLight).x;
+    uint index = scene.lightCount == 1u ? 0u : searchCdf(scene.lightCdf, scene.lightCount, uLight, kLightSteps).x;
     LightRecord light = loadLight(index);
     if (kHasTriangleLights != 0u && light.kind <= kLightTriangleTwoSided) s = sampleTriangleLight(light, from, u);
     if (kHasPunctualLights != 0u && light.kind >= kLightPoint && light.kind <= kLightDirectional)

@@ -8,7 +8,7 @@ bool alphaAccepts(AlphaKey key, uint flags, uvec3 vertices, uint instance, uint 
     MaterialRecord m = loadMaterial(flags >> kTriangleMaterialShift);
     SurfaceUv s = interpolateUv(vertices, loadVertex(vertices.x), loadVertex(vertices.y), loadVertex(vertices.z),
                                 vec3(1.0 - b12.x - b12.y, b12));
-    float alpha = surfaceBaseColor(m, s).a;
+    float alpha = surfaceBaseColor(m, s, surfaceTexture(m.baseColorTexture, s)).a;
     if ((m.flags & kMaterialAlphaMask) != 0u) return alpha >= m.alphaCutoff;
     return toUnit(hash(uvec4(key.bits, instance, primitive, kSaltAlpha)).x) < alpha;
 }

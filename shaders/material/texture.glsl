@@ -9,25 +9,44 @@ int wrapCoordinate(int i, int size, uint mode) {
     return r < size ? r : 2 * size - 1 - r;
 }
 
-vec4 loadTexel(TextureRecord t, int x, int y) {
-    uint texel = t.texels + uint(y) * (t.size & 0xffffu) + uint(x);
-    vec4 c = unpackUnorm4x8(sceneWord(scene.texels + (texel >> 2u))[texel & 3u]);
-    if ((t.flags & kTextureSrgb) != 0u) c.rgb = srgbToLinear(c.rgb);
-    return c;
-}
+// The four texels around a point, as indices into the texel array: left and right above, left and right below; and the
+// weights of the right and of the lower ones.
+struct TexelFootprint {
+    uvec4 texels;
+    vec2 weight;
+};
 
-// The texture at (u, v): transformed, wrapped, decoded, filtered.
-vec4 sampleTexture(TextureRecord t, vec2 uv) {
+// (u, v) is transformed, then wrapped texel by texel.
+TexelFootprint textureFootprint(TextureRecord t, vec2 uv) {
     ivec2 size = ivec2(t.size & 0xffffu, t.size >> 16u);
     vec2 p = vec2(dot(t.rowU.xyz, vec3(uv, 1.0)), dot(t.rowV.xyz, vec3(uv, 1.0))) * vec2(size);
     bool nearest = (t.flags & kTextureNearest) != 0u;
     vec2 corner = nearest ? floor(p) : floor(p - 0.5);
-    vec2 w = nearest ? vec2(0.0) : p - 0.5 - corner;
     uint modeS = (t.flags >> kTextureWrapSShift) & kTextureWrapMask, modeT = (t.flags >> kTextureWrapTShift) & kTextureWrapMask;
     ivec2 i = ivec2(clamp(corner, vec2(-1e9), vec2(1e9)));
-    int x0 = wrapCoordinate(i.x, size.x, modeS), x1 = wrapCoordinate(i.x + 1, size.x, modeS);
-    int y0 = wrapCoordinate(i.y, size.y, modeT), y1 = wrapCoordinate(i.y + 1, size.y, modeT);
-    vec4 top = mix(loadTexel(t, x0, y0), loadTexel(t, x1, y0), w.x);
-    vec4 bottom = mix(loadTexel(t, x0, y1), loadTexel(t, x1, y1), w.x);
-    return mix(top, bottom, w.y);
+    uint x0 = uint(wrapCoordinate(i.x, size.x, modeS)), x1 = uint(wrapCoordinate(i.x + 1, size.x, modeS));
+    uint y0 = uint(wrapCoordinate(i.y, size.y, modeT)), y1 = uint(wrapCoordinate(i.y + 1, size.y, modeT));
+    uvec4 texels = uvec4(y0, y0, y1, y1) * uint(size.x) + uvec4(x0, x1, x0, x1);
+    return TexelFootprint(t.texels + texels * t.stride, nearest ? vec2(0.0) : p - 0.5 - corner);
+}
+
+vec4 decodeTexel(uint texel, bool srgb) {
+    vec4 c = unpackUnorm4x8(texel);
+    return srgb ? vec4(srgbToLinear(c.rgb), c.a) : c;
+}
+
+vec4 filterTexels(uvec4 texels, vec2 weight, bool srgb) {
+    vec4 above = mix(decodeTexel(texels.x, srgb), decodeTexel(texels.y, srgb), weight.x);
+    vec4 below = mix(decodeTexel(texels.z, srgb), decodeTexel(texels.w, srgb), weight.x);
+    return mix(above, below, weight.y);
+}
+
+uvec4 texelWord(uint texel) { return sceneWord(scene.texels + (texel >> 2u)); }
+
+// The texture at (u, v): transformed, wrapped, decoded, filtered.
+vec4 sampleTexture(TextureRecord t, vec2 uv) {
+    TexelFootprint f = textureFootprint(t, uv);
+    uvec4 texels;
+    for (uint i = 0u; i < 4u; ++i) texels[i] = texelWord(f.texels[i])[f.texels[i] & 3u];
+    return filterTexels(texels, f.weight, (t.flags & kTextureSrgb) != 0u);
 }

@@ -5,6 +5,7 @@ const uint kInputWords = 2u, kOutputWords = 3u;
 #include "probes/scene_probe.glsl"
 #include "material/texture.glsl"
 #include "geometry/surface.glsl"
+#include "material/maps.glsl"
 #include "geometry/octahedral.glsl"
 #include "geometry/shading_point.glsl"
 #include "lights/environment.glsl"

@@ -5,6 +5,7 @@ const uint kInputWords = 2u, kOutputWords = 5u;
 #include "probes/scene_probe.glsl"
 #include "material/texture.glsl"
 #include "geometry/surface.glsl"
+#include "material/maps.glsl"
 #include "geometry/octahedral.glsl"
 #include "geometry/shading_point.glsl"
 
@@ -15,6 +16,6 @@ void main() {
     putFloat(0u, vec4(p.position, p.offset));
     putFloat(1u, vec4(p.ng, p.front ? 1.0 : 0.0));
     putFloat(2u, vec4(p.frame.n, uintBitsToFloat(p.light)));
-    putFloat(3u, surfaceBaseColor(p.material, p.uv));
+    putFloat(3u, surfaceBaseColor(p.material, p.uv, p.maps.baseColor));
     putFloat(4u, vec4(p.uv.uv0, p.uv.uv1));
 }

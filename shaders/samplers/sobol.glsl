@@ -12,10 +12,10 @@ uint owenScramble(uint x, uint key) {
     return bitfieldReverse(x);
 }
 
-// Four direction numbers a word, 8 words a dimension; only the set bits of the index are visited.
+// Four direction numbers a word, 8 words a dimension; only the digits that some index has are visited.
 uint sobolPoint(uint index, uint dimension) {
     uint word = scene.samplerTable + dimension * 8u, x = 0u;
-    for (; index != 0u; index >>= 4u, ++word) {
+    for (uint digit = 0u; digit < kIndexDigits; ++digit, ++word, index >>= 4u) {
         uvec4 v = sceneWord(word) & (uvec4(0u) - (uvec4(index, index >> 1u, index >> 2u, index >> 3u) & 1u));
         x ^= v.x ^ v.y ^ v.z ^ v.w;
     }

@@ -24,6 +24,15 @@ VKPT_CONST uint kMaterialAlphaBlend = 2u;  // alphaMode BLEND
 VKPT_CONST uint kMaterialDoubleSided = 4u;
 VKPT_CONST uint kMaterialUnlit = 8u;
 VKPT_CONST uint kMaterialVertexColor = 16u; // COLOR_0 multiplies the base colour
+// The maps of a material in up to four sets of roles, 4 bits each, 0 after the last. Maps of one set differ in nothing
+// but image and sRGB: they are read at the same texels, whose words lie side by side in the order of their roles,
+// within one 16-byte word. Each map that a material has is in one set.
+VKPT_CONST uint kMaterialMapSetShift = 16u;
+VKPT_CONST uint kMapRoles = 4u;
+VKPT_CONST uint kMapBaseColor = 0u;
+VKPT_CONST uint kMapMetallicRoughness = 1u;
+VKPT_CONST uint kMapNormal = 2u;
+VKPT_CONST uint kMapEmissive = 3u;
 
 // TextureRecord.flags. Wrap fields hold kWrap*.
 VKPT_CONST uint kTextureSrgb = 1u;     // decode R, G and B before filtering

@@ -69,7 +69,8 @@ struct InstanceRecord {
 
 // ---- materials --------------------------------------------------------------------------------------------
 
-// glTF metallic-roughness. Texture fields index TextureRecord, or are kNone.
+// glTF metallic-roughness. Texture fields index TextureRecord, or are kNone. The roles of the maps are numbered in the
+// order of the fields: bit r of a set of roles stands for field r.
 struct MaterialRecord {
     vec4 baseColor;           // linear
     vec3 emissive;            // nits, emissiveStrength applied
@@ -77,7 +78,7 @@ struct MaterialRecord {
     float roughness;          // perceptual; alpha = roughness^2
     float normalScale;
     float alphaCutoff;
-    uint flags;               // kMaterial* bits
+    uint flags;               // kMaterial* bits; from kMaterialMapSetShift on the sets of maps, see constants.h
     uint baseColorTexture, metallicRoughnessTexture, normalTexture, emissiveTexture;
 };
 
@@ -86,7 +87,7 @@ struct TextureRecord {
     uint texels;      // index of the first texel in the texel array (RGBA8, R in the low byte, 4 a word)
     uint size;        // width | height << 16
     uint flags;       // kTexture* bits
-    uint pad0;
+    uint stride;      // 1, 2 or 4: from one texel to the next in the texel array; images of a set are interleaved
     vec4 rowU;        // u' = dot(rowU.xyz, (u, v, 1))
     vec4 rowV;        // v' = dot(rowV.xyz, (u, v, 1))
 };

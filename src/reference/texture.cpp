@@ -24,6 +24,7 @@ class TexelGrid {
 public:
     TexelGrid(const SceneArrays& scene, const TextureRecord& texture)
         : texels_(scene.texels.data() + texture.texels),
+          stride_(texture.stride),
           width_(texture.size & 0xffffU),
           height_(texture.size >> 16U),
           wrapS_((texture.flags >> kTextureWrapSShift) & kTextureWrapMask),
@@ -34,7 +35,7 @@ public:
 
     [[nodiscard]] glm::vec4 at(std::int64_t x, std::int64_t y) const {
         const std::size_t row = wrapTexel(y, height_, wrapT_);
-        const std::uint32_t word = texels_[row * width_ + wrapTexel(x, width_, wrapS_)];
+        const std::uint32_t word = texels_[(row * width_ + wrapTexel(x, width_, wrapS_)) * stride_];
         const auto byte = [word](std::uint32_t channel) { return (word >> (8 * channel)) & 0xffU; };
         const auto linear = [&](std::uint32_t channel) {
             return srgb_ ? kSrgbTable[byte(channel)] : static_cast<float>(byte(channel)) / 255.0F;
@@ -44,6 +45,7 @@ public:
 
 private:
     const std::uint32_t* texels_;
+    std::size_t stride_;
     std::uint32_t width_, height_, wrapS_, wrapT_;
     bool srgb_;
 };

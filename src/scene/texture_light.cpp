@@ -49,10 +49,10 @@ EmissiveTexture::EmissiveTexture(const SceneArrays& arrays, const TextureRecord&
     tbb::parallel_for(std::int64_t{0}, height_, [&](std::int64_t row) {
         float* out = luminance_.data() + row * width_;
         for (std::int64_t y = row * size; y < (row + 1) * size; ++y) {
-            const std::uint32_t* in = arrays.texels.data() + texture.texels + y * width;
-            for (std::int64_t x = 0; x < width; ++x)
+            const std::uint32_t* in = arrays.texels.data() + texture.texels + y * width * texture.stride;
+            for (std::int64_t x = 0; x < width; ++x, in += texture.stride)
                 out[x / size] += luminance(
-                    factor * glm::vec3(decode[in[x] & 255U], decode[in[x] >> 8U & 255U], decode[in[x] >> 16U & 255U]));
+                    factor * glm::vec3(decode[*in & 255U], decode[*in >> 8U & 255U], decode[*in >> 16U & 255U]));
         }
         for (std::int64_t x = 0; x < width_; ++x) out[x] /= static_cast<float>(size * size);
     });

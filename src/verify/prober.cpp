@@ -33,7 +33,7 @@ ProbeScene::ProbeScene(Prober& prober, const SceneArrays& arrays, const RenderPa
 ProbeOptions ProbeScene::options(Fetch form, SamplerId sampler) const {
     const bool texel = form == Fetch::Texel;
     ProbeOptions options;
-    options.specialization = specializationOf(features_, sampler, texel, false);
+    options.specialization = specializationOf(features_, header_, {.sampler = sampler, .fetchTexel = texel});
     options.extraKinds = {BindingKind::UniformBuffer, BindingKind::StorageBuffer, BindingKind::StorageTexel};
     options.extra = {frame_, texel ? dummy_ : scene_, texel ? sceneTexels_ : dummyTexels_};
     return options;

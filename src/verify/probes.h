@@ -23,6 +23,7 @@ void checkColor(VerifyContext&, Findings&);
 void checkGgx(VerifyContext&, Findings&);
 void checkGltf(VerifyContext&, Findings&);
 void checkTexture(VerifyContext&, Findings&);
+void checkMaps(VerifyContext&, Findings&);
 void checkEnvironment(VerifyContext&, Findings&);
 void checkLights(VerifyContext&, Findings&);
 void checkShadingPoint(VerifyContext&, Findings&);

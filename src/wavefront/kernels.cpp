@@ -1,26 +1,39 @@
 #include "wavefront/kernels.h"
 
+#include <algorithm>
+#include <bit>
+
 #include "wavefront/layout.h"
 
 namespace vkpt {
 
-std::vector<std::uint32_t> specializationOf(const SceneFeatures& f, SamplerId sampler, bool fetchTexel, bool useBallot,
-                                            bool stateTexel) {
-    return {static_cast<std::uint32_t>(sampler),
-            fetchTexel,
+std::uint32_t searchSteps(std::uint32_t count) {
+    const std::uint32_t words = (count + 3) / 4;
+    return words == 0 ? 0 : static_cast<std::uint32_t>(std::bit_width(words - 1));
+}
+
+std::vector<std::uint32_t> specializationOf(const SceneFeatures& f, const SceneHeader& header,
+                                            const KernelOptions& options) {
+    const auto indexDigits = std::max<std::uint32_t>((std::bit_width(options.lastIndex) + 3U) / 4, 1);
+    return {static_cast<std::uint32_t>(options.sampler),
+            options.fetchTexel,
             f.instances,
             f.alpha,
-            f.textures,
-            f.normalMaps,
+            f.maps,
             f.vertexExtras,
             f.triangleLights,
             f.texturedEmission,
             f.punctualLights,
             f.environment,
             f.unlit,
-            useBallot,
-            stateTexel,
-            f.textureTransforms};
+            options.useBallot,
+            options.stateTexel,
+            f.textureTransforms,
+            f.mapSets,
+            indexDigits,
+            searchSteps(header.lightCount),
+            searchSteps(header.envHeight),
+            searchSteps(header.envWidth)};
 }
 
 WavefrontKernels::WavefrontKernels(Device& device, const SpirvSource& spirv,

@@ -22,9 +22,19 @@ inline constexpr std::array kKernelBindings = {
     BindingKind::UniformBuffer, BindingKind::StorageBuffer, BindingKind::StorageTexel, BindingKind::StorageBuffer,
     BindingKind::StorageBuffer, BindingKind::StorageBuffer, BindingKind::StorageTexel};
 
+/// What kernels are specialised for, besides the scene.
+struct KernelOptions {
+    SamplerId sampler = SamplerId::Sobol;
+    std::uint32_t lastIndex = ~0U;  ///< the highest sample index they may meet
+    bool fetchTexel = false, useBallot = false, stateTexel = false;
+};
+
+/// Halvings that searchCdf of shaders/math/cdf.glsl needs for a table of `count` entries.
+[[nodiscard]] std::uint32_t searchSteps(std::uint32_t count);
+
 /// Values of the constants of shaders/specialization.glsl, by constant_id.
-[[nodiscard]] std::vector<std::uint32_t> specializationOf(const SceneFeatures& features, SamplerId sampler,
-                                                          bool fetchTexel, bool useBallot, bool stateTexel = false);
+[[nodiscard]] std::vector<std::uint32_t> specializationOf(const SceneFeatures& features, const SceneHeader& header,
+                                                          const KernelOptions& options);
 
 struct WavefrontKernels {
     Kernel generate, intersect, shade, miss, shadow, accumulate;

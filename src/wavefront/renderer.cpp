@@ -130,7 +130,13 @@ WavefrontRenderer::Impl::Impl(const SceneArrays& arrays, const RenderOptions& re
       stateTexel(useStateTexels(device, config.fetch, stateBytes(capacity))),
       ballot(config.ballot && device.info().subgroupBallot),
       kernels(device, config.kernels ? config.kernels : SpirvSource(kernelSpirv),
-              specializationOf(arrays.features, options.sampler, texels, ballot, stateTexel), ballot),
+              specializationOf(arrays.features, layout.header,
+                               {.sampler = options.sampler,
+                                .lastIndex = std::max(options.params.spp, 1U) - 1,
+                                .fetchTexel = texels,
+                                .useBallot = ballot,
+                                .stateTexel = stateTexel}),
+              ballot),
       recorder(device, config.timings ? 4 * kBouncesPerSubmit + 4 : 0),
       pathsPerBatch(capacity) {
     if (counterBlocks() > kMaxBounceBlocks)

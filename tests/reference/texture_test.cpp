@@ -15,6 +15,7 @@ SceneArrays fourByTwo(std::uint32_t flags) {
     TextureRecord record{};
     record.size = 4U | 2U << 16U;
     record.flags = flags;
+    record.stride = 1;
     record.rowU = {1, 0, 0, 0};
     record.rowV = {0, 1, 0, 0};
     scene.textures.push_back(record);

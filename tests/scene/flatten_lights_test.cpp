@@ -158,6 +158,7 @@ TEST(TexturedLights, MeanDecodesSrgbBeforeAveraging) {
     SceneArrays a;
     a.texels = {0xff000000U, 0xffffffffU, 0xff808080U, 0xff808080U};
     TextureRecord t{};
+    t.stride = 1;
     t.size = 4U | 1U << 16U;
     t.flags = kTextureSrgb;
     t.rowU = {1, 0, 0, 0};
@@ -172,6 +173,7 @@ TEST(TexturedLights, WrapModesReachTheRightTexel) {
     SceneArrays a;
     a.texels = {0xff000000U, 0xff000000U, 0xff000000U, 0xffffffffU};  // only the last of four is lit
     TextureRecord t{};
+    t.stride = 1;
     t.size = 4U | 1U << 16U;
     t.rowU = {1, 0, 0, 0};
     t.rowV = {0, 1, 0, 0};

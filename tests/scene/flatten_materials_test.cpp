@@ -75,7 +75,7 @@ TEST(FlattenMaterials, TextureRecordsSayHowToRead) {
     EXPECT_EQ(a.textures.at(r.baseColorTexture).flags, kTextureSrgb);
     EXPECT_EQ(a.textures.at(r.emissiveTexture).flags, kTextureSrgb);
     EXPECT_EQ(a.textures.at(r.normalTexture).flags, 0U);
-    EXPECT_TRUE(a.features.normalMaps);
+    EXPECT_EQ(a.features.maps, 15U);
 
     // Images once each, the unread one not at all, in whole words.
     EXPECT_EQ(a.textures.at(r.baseColorTexture).texels, rough.texels);
@@ -109,7 +109,7 @@ TEST(FlattenMaterials, MaterialsNobodyUsesBringNoTexels) {
     const SceneArrays a = flatten(scene);
     EXPECT_EQ(a.materials.size(), 2U);
     EXPECT_TRUE(a.texels.empty());
-    EXPECT_FALSE(a.features.textures);
+    EXPECT_EQ(a.features.maps, 0U);
 }
 
 TEST(AlphaFlag, OnlyWhereAlphaCanMatter) {

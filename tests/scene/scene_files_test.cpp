@@ -41,7 +41,8 @@ void expectSoundMaterials(const SceneArrays& a) {
         }
     }
     for (const TextureRecord& t : a.textures) {
-        EXPECT_LE(std::uint64_t{t.texels} + (t.size & 0xffffU) * std::uint64_t{t.size >> 16U}, a.texels.size());
+        const std::uint64_t count = (t.size & 0xffffU) * std::uint64_t{t.size >> 16U};
+        EXPECT_LT(t.texels + (count - 1) * t.stride, a.texels.size());
     }
     EXPECT_EQ(a.texels.size() % 4, 0U);
 }

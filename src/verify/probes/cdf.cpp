@@ -4,6 +4,7 @@
 #include "verify/context.h"
 #include "verify/inputs/random_inputs.h"
 #include "verify/probes.h"
+#include "wavefront/kernels.h"
 
 namespace vkpt {
 namespace {
@@ -11,7 +12,7 @@ namespace {
 struct In {
     std::uint32_t base, count;
     float u;
-    std::uint32_t unused = 0;
+    std::uint32_t steps;
 };
 struct Out {
     std::uint32_t index;
@@ -51,7 +52,10 @@ void compareTables(Prober& prober, Findings& findings) {
     RandomInputs random(21);
     const auto add = [&](const Table& table, float u) {
         if (!(u >= 0 && u < 1)) return;
-        inputs.push_back({scene.header().lightCdf + table.word, static_cast<std::uint32_t>(table.cdf.size()), u});
+        const auto count = static_cast<std::uint32_t>(table.cdf.size());
+        inputs.push_back({scene.header().lightCdf + table.word, count, u, searchSteps(count)});
+        inputs.push_back({scene.header().lightCdf + table.word, count, u, 32});
+        tableOf.push_back(&table);
         tableOf.push_back(&table);
     };
     for (const Table& table : tables) {
@@ -84,7 +88,7 @@ void compareEnds(Prober& prober, Findings& findings) {
         for (std::uint32_t i = 0; i < count; ++i)
             arrays.lightCdf.push_back(0.5F * static_cast<float>(i + 1) / static_cast<float>(count));
         while (arrays.lightCdf.size() % 4 != 0) arrays.lightCdf.push_back(1);
-        inputs.push_back({start, count, 0.75F});
+        inputs.push_back({start, count, 0.75F, 32});
     }
     const ProbeScene scene(prober, arrays);
     for (In& in : inputs) in.base += scene.header().lightCdf;

@@ -62,7 +62,7 @@ std::array<Fields, kStructs.size()> expectedFields(const Records& all) {
                  i.worldFromObject[1], i.worldFromObject[2], i.rootNode, i.object),
         fieldsOf(m.baseColor, m.emissive, m.metallic, m.roughness, m.normalScale, m.alphaCutoff, m.flags,
                  m.baseColorTexture, m.metallicRoughnessTexture, m.normalTexture, m.emissiveTexture),
-        fieldsOf(x.texels, x.size, x.flags, x.rowU, x.rowV),
+        fieldsOf(x.texels, x.size, x.flags, x.stride, x.rowU, x.rowV),
         fieldsOf(l.a, l.kind, l.b, l.pmf, l.c, l.area, l.color, l.index),
         fieldsOf(h.nodes, h.triangles, h.vertices, h.vertexExtras, h.instances, h.materials, h.textures, h.texels,
                  h.lights, h.lightCdf, h.lightCount, h.rootNode, h.envTexels, h.envRows, h.envColumns, h.envLight,

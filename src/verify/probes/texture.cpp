@@ -19,7 +19,8 @@ constexpr glm::uvec2 kSizes[] = {{1, 1}, {4, 4}, {5, 7}, {1, 9}, {64, 3}, {100, 
 /// Every wrap mode on each axis, both filters, sRGB and linear, without and with a transform, of every size.
 SceneArrays textureScene() {
     SceneArrays arrays;
-    arrays.features.textures = arrays.features.textureTransforms = true;
+    arrays.features.maps = 1U << kMapBaseColor;
+    arrays.features.textureTransforms = true;
     RandomInputs random(15);
     for (const glm::uvec2& size : kSizes) {
         const auto texels = static_cast<std::uint32_t>(arrays.texels.size());
@@ -28,7 +29,7 @@ SceneArrays textureScene() {
             for (std::uint32_t wrapT = 0; wrapT < 3; ++wrapT)
                 for (const uint kind : {0U, kTextureSrgb, kTextureNearest, kTextureSrgb | kTextureNearest}) {
                     const uint flags = kind | wrapS << kTextureWrapSShift | wrapT << kTextureWrapTShift;
-                    TextureRecord record{texels, size.x | size.y << 16U, flags, 0, {1, 0, 0, 0}, {0, 1, 0, 0}};
+                    TextureRecord record{texels, size.x | size.y << 16U, flags, 1, {1, 0, 0, 0}, {0, 1, 0, 0}};
                     arrays.textures.push_back(record);
                     record.rowU = {0.8F, -1.5F, 0.25F, 0};
                     record.rowV = {1.25F, 0.6F, -3.5F, 0};
