@@ -11,7 +11,7 @@ void main() {
     if (pixel >= batch.pixelCount) return;
     uint film = (batch.firstPixel - batch.filmFirst + pixel) * 3u;
     uvec4 sums[3] = uvec4[3](filmWords[film], filmWords[film + 1u], filmWords[film + 2u]);
-    for (uint path = pixel; path < batch.pathCount; path += batch.pixelCount) {
+    for (uint i = 0u, path = pixel * batch.sampleCount; i < batch.sampleCount; ++i, ++path) {
         for (uint c = 0u; c < 3u; ++c) {
             uvec4 sum = loadState(kStateRed + c, path);
             sums[c] = uvec4(addFixed(sums[c].xyz, sum.xyz), sums[c].w + sum.w);

@@ -51,9 +51,10 @@ uint queueArray(uint bounce, uint queue) {
     return kQueueBase + (queue == kQueueRay ? bounce & 1u : queue + 1u) * batch.capacity;
 }
 
+// The samples of a pixel are neighbours: they take the same way through tree and textures.
 SampleId sampleIdOf(uint path) {
-    uint pixel = batch.firstPixel + path % batch.pixelCount;
-    uint index = batch.firstSample + path / batch.pixelCount;
+    uint pixel = batch.firstPixel + path / batch.sampleCount;
+    uint index = batch.firstSample + path % batch.sampleCount;
     return SampleId(pixel % render.width | (pixel / render.width) << 16u, index, render.spp, render.seed);
 }
 

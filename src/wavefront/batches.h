@@ -19,12 +19,17 @@ struct Band {
     return bands;
 }
 
-/// Samples of one pass: as many as fill the slots when the film is small. Bounded, since the accumulate kernel
+/// Samples of the next pass: as many as fill the slots when the film is small. On a larger film the first pass takes
+/// one, so that a picture is there soon; later ones several, since the samples of a pixel run well side by side, but few
+/// enough that a pass, after which a render can be stopped, takes seconds at most. Bounded, since the accumulate kernel
 /// loops over them and lavapipe ends a kernel's loops after 65,535 iterations in all.
-[[nodiscard]] inline std::uint32_t samplesPerPass(std::uint64_t pixels, std::uint32_t slots, std::uint32_t remaining) {
-    constexpr std::uint64_t kMostSamples = 4096;
-    return static_cast<std::uint32_t>(std::min<std::uint64_t>(
-        std::clamp<std::uint64_t>(slots / std::max<std::uint64_t>(pixels, 1), 1, kMostSamples), remaining));
+[[nodiscard]] inline std::uint32_t samplesPerPass(std::uint64_t pixels, std::uint32_t slots, std::uint32_t done,
+                                                  std::uint32_t remaining) {
+    constexpr std::uint64_t kMostSamples = 4096, kSideBySide = 16, kMostPaths = 1U << 22;
+    pixels = std::max<std::uint64_t>(pixels, 1);
+    const std::uint64_t filling = std::clamp<std::uint64_t>(slots / pixels, 1, kMostSamples);
+    const std::uint64_t several = done == 0 ? 1 : std::min(kMostPaths / pixels, kSideBySide);
+    return static_cast<std::uint32_t>(std::min<std::uint64_t>(std::max(filling, several), remaining));
 }
 
 }  // namespace vkpt

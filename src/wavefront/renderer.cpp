@@ -355,7 +355,7 @@ Film WavefrontRenderer::render(const RenderControl& control, WavefrontStats* sta
     const std::uint32_t samples = r.options.sampleEnd - r.options.sampleBegin;
     std::uint32_t done = 0;
     while (done < samples && !(done > 0 && control.shouldStop())) {
-        const std::uint32_t count = samplesPerPass(pixels, r.pathsPerBatch, samples - done);
+        const std::uint32_t count = samplesPerPass(pixels, r.pathsPerBatch, done, samples - done);
         r.renderPass(r.options.sampleBegin + done, count, control, pixels * samples, stats);
         if (done == 0) stats.secondsToFirstPass = secondsSince(start);
         done += count;

@@ -21,12 +21,19 @@ TEST(Batches, BandsAreWholeRowsThatCoverTheFilmOnce) {
 }
 
 TEST(Batches, PassesHoldAtLeastOneSampleAndAtMostWhatIsLeft) {
-    EXPECT_EQ(samplesPerPass(64, 1U << 18U, 1024), 1024U);
-    EXPECT_EQ(samplesPerPass(64, 1U << 18U, 1000000), 4096U) << "lavapipe's loop budget";
-    EXPECT_EQ(samplesPerPass(512 * 512, 1U << 18U, 64), 1U);
-    EXPECT_EQ(samplesPerPass(1000, 10, 64), 1U) << "more pixels than slots";
-    EXPECT_EQ(samplesPerPass(1000, 5000, 3), 3U);
-    EXPECT_EQ(samplesPerPass(1000, 5999, 64), 5U);
+    EXPECT_EQ(samplesPerPass(64, 1U << 18U, 0, 1024), 1024U);
+    EXPECT_EQ(samplesPerPass(64, 1U << 18U, 0, 1000000), 4096U) << "lavapipe's loop budget";
+    EXPECT_EQ(samplesPerPass(1000, 10, 0, 64), 1U) << "more pixels than slots";
+    EXPECT_EQ(samplesPerPass(1000, 5000, 0, 3), 3U);
+    EXPECT_EQ(samplesPerPass(1000, 5999, 0, 64), 5U);
+}
+
+TEST(Batches, LaterPassesOfLargerFilmsTakeSeveralSamplesForSecondsAtMost) {
+    EXPECT_EQ(samplesPerPass(512 * 512, 1U << 18U, 0, 64), 1U) << "a picture soon";
+    EXPECT_EQ(samplesPerPass(512 * 512, 1U << 18U, 1, 63), 16U);
+    EXPECT_EQ(samplesPerPass(512 * 512, 1U << 18U, 49, 15), 15U);
+    EXPECT_EQ(samplesPerPass(1920 * 1080, 1U << 18U, 1, 63), 2U);
+    EXPECT_EQ(samplesPerPass(std::uint64_t{1} << 40U, 1U << 18U, 1, 63), 1U);
 }
 
 }  // namespace

@@ -148,24 +148,24 @@ TEST(Renderer, DepthZeroIsEmissionAlone) {
 
 TEST(Renderer, StopsBetweenPassesWithItsTrueSampleCount) {
     const SceneArrays arrays = makeEverything();
-    RenderOptions options = makeOptions(24, 20, 12);
+    RenderOptions options = makeOptions(24, 20, 40);
     WavefrontConfig config = makeConfig();
-    config.pathsInFlight = 24 * 20 * 2;  // two samples a pass
+    config.pathsInFlight = 24 * 20 * 2;  // two samples in the first pass, 16 in the next
     std::atomic<bool> stop = false;
     std::uint64_t last = 0;
     RenderControl control;
     control.stop = &stop;
     control.progress = [&](std::uint64_t done, std::uint64_t total) {
-        EXPECT_EQ(total, 24U * 20 * 12);
+        EXPECT_EQ(total, 24U * 20 * 40);
         EXPECT_GT(done, last);
         last = done;
         if (done >= 24U * 20 * 4) stop = true;
     };
     const Film stopped = renderWith(arrays, options, config, nullptr, control);
-    EXPECT_EQ(stopped.samples(), 4U);
-    options.sampleEnd = 4;
+    EXPECT_EQ(stopped.samples(), 18U);
+    options.sampleEnd = 18;
     EXPECT_TRUE(isSame(stopped, renderWith(arrays, options)));
-    for (const FilmSums& s : stopped.sums) ASSERT_EQ(s.red.w, 4U);
+    for (const FilmSums& s : stopped.sums) ASSERT_EQ(s.red.w, 18U);
 }
 
 TEST(Renderer, APastDeadlineStillGivesOnePass) {
