@@ -17,7 +17,7 @@ namespace {
 
 using namespace vkpt;
 
-constexpr std::array kCommands{&kRenderCommand, &kInfoCommand, &kDevicesCommand, &kBenchCommand};
+constexpr std::array kCommands{&kRenderCommand, &kInfoCommand, &kDevicesCommand, &kBenchCommand, &kDiffCommand};
 
 int fail(ExitCode code, const std::string& message) {
     std::fprintf(stderr, "vkpt: %s\n", message.c_str());

@@ -6,9 +6,10 @@
 
 namespace vkpt {
 
-/// Interleaved float pixels, row 0 at the top, linear Rec. 709 where they are colours.
+/// Interleaved float pixels, row 0 at the top, Rec. 709 where they are colours.
 struct Image {
     std::uint32_t width = 0, height = 0, channels = 0;
+    bool displayEncoded = false;  ///< values are sRGB-encoded, as in PNG files; else linear
     std::vector<float> pixels;
 
     Image() = default;

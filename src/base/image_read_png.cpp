@@ -62,6 +62,7 @@ Image decodePng(const std::string& name, std::span<const std::uint8_t> bytes) {
 
     const std::uint32_t channels = hasAlpha(context.get(), header) ? 4 : 3;
     Image image(header.width, header.height, channels);
+    image.displayEncoded = true;
     for (std::size_t i = 0; i < pixels; ++i) {
         for (std::size_t c = 0; c < channels; ++c) {
             std::uint16_t value = decoded[i * 4 + c];

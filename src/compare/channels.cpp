@@ -19,6 +19,8 @@ std::vector<ChannelPair> pairChannels(const Image& image, const Image& reference
     if (image.width != reference.width || image.height != reference.height)
         throw Error(ExitCode::SizeMismatch, fmt::format("images of {}x{} and {}x{} cannot be compared", image.width,
                                                         image.height, reference.width, reference.height));
+    if (image.displayEncoded != reference.displayEncoded)
+        throw Error(ExitCode::File, "one image is display-encoded (PNG), the other linear: they cannot be compared");
     constexpr std::array<std::string_view, 3> names{"R", "G", "B"};
     const std::uint32_t colors = std::max(colorsOf(image), colorsOf(reference));
     std::vector<ChannelPair> pairs;

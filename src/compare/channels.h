@@ -16,7 +16,8 @@ struct ChannelPair {
 };
 
 /// One or two channels are grey (and alpha), three or four RGB (and alpha). A grey image faces each colour of an RGB
-/// one. Alpha comes last, where both have it. Throws Error(SizeMismatch) where the sizes differ.
+/// one. Alpha comes last, where both have it. Throws Error(SizeMismatch) where the sizes differ, Error(File) where one
+/// image is linear and the other display-encoded.
 [[nodiscard]] std::vector<ChannelPair> pairChannels(const Image& image, const Image& reference);
 
 }  // namespace vkpt

@@ -123,6 +123,7 @@ Image heatMap(const Image& values, const HeatMapOptions& options) {
     const std::uint32_t enlarge = (kLeastWidth + values.width - 1) / values.width;
     const Layout at(std::int64_t{values.width} * enlarge, std::int64_t{values.height} * enlarge);
     Image picture(static_cast<std::uint32_t>(at.width), static_cast<std::uint32_t>(at.height), 3);
+    picture.displayEncoded = true;
     fillRectangle(picture, 0, 0, at.width, at.height, kPaper);
     drawPicture(picture, values, enlarge, top);
     drawText(picture, at.left, at.titleTop, options.title, kInk, at.text);

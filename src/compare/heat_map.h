@@ -17,7 +17,7 @@ struct HeatMapOptions {
 
 /// `values` (one channel, not negative) in the colours of [Smith 15], black to light yellow, NaN in cyan; below the
 /// picture a bar with numbers. Small images are enlarged by a whole factor so that the numbers find room. The result
-/// has three channels, display-encoded: hand it to encodePng as it is.
+/// has three display-encoded channels: hand it to encodePng as it is.
 [[nodiscard]] Image heatMap(const Image& values, const HeatMapOptions& options);
 
 /// The smallest of 1, 2, 5 times a power of ten that at most one value in 200 exceeds: single fireflies do not decide

@@ -100,7 +100,7 @@ ImageDifference compareImages(const Image& image, const Image& reference, std::o
         all.add(channels[c]);
     }
     ImageDifference result;
-    result.peak = peak.value_or(colors.referenceMaximum);
+    result.peak = peak.value_or(reference.displayEncoded ? 1 : colors.referenceMaximum);
     static_cast<ErrorFigures&>(result) = figuresOf(colors, result.peak);
     result.nonFinite = all.nonFinite;
     for (std::size_t c = 0; c < pairs.size(); ++c)

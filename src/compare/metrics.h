@@ -43,8 +43,8 @@ struct ImageDifference : ErrorFigures {
     std::vector<ChannelFigures> channels;
 };
 
-/// `reference` is the image taken as true. `peak`: the largest possible value; empty: the largest colour value of the
-/// reference. Channels are paired by pairChannels. Throws Error(SizeMismatch) where the sizes differ.
+/// `reference` is the image taken as true. `peak`: the largest possible value; empty: 1 for display-encoded images, the
+/// largest colour value of the reference for linear ones. Channels are paired by pairChannels, which may throw.
 [[nodiscard]] ImageDifference compareImages(const Image& image, const Image& reference,
                                             std::optional<double> peak = std::nullopt);
 

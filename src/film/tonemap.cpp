@@ -83,6 +83,7 @@ float srgbEncode(float linear) {
 Image displayImage(const Image& linear, const Display& display) {
     assert(linear.channels == 4);
     Image image(linear.width, linear.height, display.transparent ? 4 : 3);
+    image.displayEncoded = true;
     const float scale = std::exp2(display.exposure);
     const std::size_t count = std::size_t{linear.width} * linear.height;
     for (std::size_t i = 0; i < count; ++i) {

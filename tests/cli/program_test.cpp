@@ -75,7 +75,7 @@ TEST_F(Program, UsageErrorsAre64AndOneLineThatNamesTheFault) {
 TEST_F(Program, HelpOfEveryCommandShowsAnExample) {
     EXPECT_EQ(run({"--help"}).code, 0);
     EXPECT_THAT(run({"--version"}).out, testing::StartsWith("vkpt "));
-    for (const char* command : {"render", "info", "devices", "bench"}) {
+    for (const char* command : {"render", "info", "devices", "bench", "diff"}) {
         const RunResult r = run({command, "--help"});
         EXPECT_EQ(r.code, 0);
         EXPECT_THAT(r.out, HasSubstr(std::string("Example:\n  vkpt ") + command));
