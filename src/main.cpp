@@ -17,7 +17,8 @@ namespace {
 
 using namespace vkpt;
 
-constexpr std::array kCommands{&kRenderCommand, &kInfoCommand, &kDevicesCommand, &kBenchCommand, &kDiffCommand};
+constexpr std::array kCommands{&kRenderCommand, &kVerifyCommand,  &kDiffCommand,
+                               &kInfoCommand,   &kDevicesCommand, &kBenchCommand};
 
 int fail(ExitCode code, const std::string& message) {
     std::fprintf(stderr, "vkpt: %s\n", message.c_str());

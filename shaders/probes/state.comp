@@ -1,7 +1,7 @@
 #version 460
 // Where the kernels keep things: push constants, arrays of the path state, counters and queues. Out, a uint each: the
-// fields of batch; kRefused; the counter and the array of every queue of bounces 0 to 2. And a word of its own into
-// slot batch.bounce of every state array. src/verify/probes/state.cpp lists the same.
+// fields of batch; kRefused; the counter and the array of every queue of bounces 0 to 2; pixel and sample of 40 slots. And
+// a word of its own into slot batch.bounce of every state array. src/verify/probes/state.cpp lists the same.
 #extension GL_GOOGLE_include_directive : require
 #include "kernels/preamble.glsl"
 layout(set = 0, binding = 5, std430) writeonly buffer Outputs { uint outputs[]; };
@@ -25,6 +25,11 @@ void main() {
             put(queueCounter(bounce, queue));
             put(queueArray(bounce, queue));
         }
+    for (uint slot = 0u; slot < 40u; ++slot) {
+        SampleId id = sampleIdOf(slot);
+        put(id.pixel);
+        put(id.index);
+    }
     const uint arrays[] = uint[](kStateOrigin, kStateDirection, kStateThroughput, kStateHit, kStateRed, kStateGreen,
                                  kStateBlue, kShadowOrigin, kShadowTarget, kShadowRadiance);
     for (uint i = 0u; i < arrays.length(); ++i)

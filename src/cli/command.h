@@ -17,7 +17,7 @@ struct Command {
     std::function<ExitCode()> (*setup)(CLI::App& app);
 };
 
-extern const Command kRenderCommand, kInfoCommand, kDevicesCommand, kBenchCommand, kDiffCommand;
+extern const Command kRenderCommand, kVerifyCommand, kDiffCommand, kInfoCommand, kDevicesCommand, kBenchCommand;
 
 /// A usage error of `option`, exit 64.
 inline Error usageError(const std::string& option, const std::string& fault) {

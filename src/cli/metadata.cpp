@@ -96,7 +96,7 @@ ImageMetadata imageMetadata(const PreparedScene& prepared, const RenderReport& r
             {"vkpt:settings", renderSettings(prepared).dump()},
             {"vkpt:settingsHash", settingsHash(prepared)},
             {"vkpt:spp", std::to_string(film.samples())},
-            {"vkpt:samples", rangesText(film.ranges)},
+            {"vkpt:samples", fmt::format("{}:{}", film.sampleBegin, film.sampleEnd)},
             {"vkpt:seed", std::to_string(params.seed)},
             {"vkpt:sampler", std::string(samplerName(prepared.options.sampler))},
             {"vkpt:backend", report.backend},

@@ -63,7 +63,10 @@ void addSceneFile(CLI::App& app, SceneOptions& options, bool required) {
 }
 
 void addSceneOptions(CLI::App& app, SceneOptions& options) {
-    addParsed(app, "--size", options.size, parseSize, "WxH", "size of the picture in pixels (default: 960x540, or 540 rows of the aspect ratio that the file's camera states)");
+    addParsed(app, "--size", options.size, parseSize, "WxH",
+              fmt::format("size of the picture in pixels (default: {0}x{1}, or {1} rows of the aspect ratio that the "
+                          "file's camera states)",
+                          options.rows * 16 / 9, options.rows));
     addCameraOptions(app, options);
     addLightOptions(app, options);
 }

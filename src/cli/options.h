@@ -17,8 +17,9 @@ namespace vkpt {
 /// Which scene, seen how, lit by what.
 struct SceneOptions {
     std::filesystem::path file;
-    int sceneIndex = -1;  ///< -1: the file's default scene
-    std::optional<glm::uvec2> size;  ///< else 540 rows: as wide as the camera of the file states, or 960
+    int sceneIndex = -1;             ///< -1: the file's default scene
+    std::optional<glm::uvec2> size;  ///< else `rows` rows: as wide as the camera of the file states, or 16:9
+    float rows = 540;
     std::string camera;  ///< name or index; empty: the file's first, else framed
     std::optional<glm::vec3> eye, target, orbit;
     std::optional<float> fov;  ///< degrees, vertical

@@ -29,6 +29,8 @@ std::optional<glm::uvec2> parseSize(std::string_view text) {
     return size;
 }
 
+std::optional<glm::uvec2> parsePixel(std::string_view text) { return parsePair(text, ','); }
+
 std::optional<SampleRange> parseSampleRange(std::string_view text) {
     const auto range = parsePair(text, ':');
     if (!range || range->x >= range->y) return std::nullopt;

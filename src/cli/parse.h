@@ -9,7 +9,6 @@
 #include <string_view>
 
 #include "constants.h"
-#include "scene/sample_ranges.h"
 
 namespace vkpt {
 
@@ -36,7 +35,13 @@ template <class T>
 /// "960x540": both 1 to 65535, as a sample id packs a pixel's coordinates into 16 bits each.
 [[nodiscard]] std::optional<glm::uvec2> parseSize(std::string_view text);
 
+/// "X,Y": a pixel, column and row from the upper left corner.
+[[nodiscard]] std::optional<glm::uvec2> parsePixel(std::string_view text);
+
 /// "64:128": begin < end.
+struct SampleRange {
+    std::uint32_t begin = 0, end = 0;
+};
 [[nodiscard]] std::optional<SampleRange> parseSampleRange(std::string_view text);
 
 /// "X,Y,Z": finite numbers.

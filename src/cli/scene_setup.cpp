@@ -72,17 +72,17 @@ const Camera* fileCamera(const Scene& scene, const SceneOptions& options) {
     return scene.cameras.empty() ? nullptr : &scene.cameras.front();
 }
 
-/// The size asked for, else 540 rows of the camera's aspect ratio.
-glm::uvec2 frameSize(const std::optional<glm::uvec2>& size, const Camera* camera) {
-    constexpr float kRows = 540, kColumns = 960, kMost = 65535;
-    if (size) return *size;
-    if (!camera || !camera->aspect) return {kColumns, kRows};
-    return {std::clamp(std::round(kRows * *camera->aspect), 1.0F, kMost), kRows};
+/// The size asked for, else the default number of rows in the camera's aspect ratio.
+glm::uvec2 frameSize(const SceneOptions& options, const Camera* camera) {
+    constexpr float kAspect = 16.0F / 9.0F, kMost = 65535;
+    if (options.size) return *options.size;
+    const float aspect = camera && camera->aspect ? *camera->aspect : kAspect;
+    return {std::clamp(std::round(options.rows * aspect), 1.0F, kMost), options.rows};
 }
 
 void setCamera(RenderParams& params, const Scene& scene, const SceneArrays& arrays, const SceneOptions& options) {
     const Camera* camera = fileCamera(scene, options);
-    const glm::uvec2 size = frameSize(options.size, camera);
+    const glm::uvec2 size = frameSize(options, camera);
     params.width = size.x;
     params.height = size.y;
     const glm::vec3 target = options.target.value_or((arrays.boundsMin + arrays.boundsMax) / 2.0F);

@@ -47,6 +47,10 @@ TestResult welchTest(const Moments& a, const Moments& b) {
     return {t, degrees, 2 * boost::math::cdf(boost::math::complement(distribution, std::abs(t)))};
 }
 
+double criticalT(double level, double degrees) {
+    return boost::math::quantile(boost::math::complement(boost::math::students_t(degrees), level / 2));
+}
+
 TestResult chiSquareTest(std::span<const double> observed, std::span<const double> expected, double minimumExpected) {
     assert(observed.size() == expected.size());
     std::vector<std::size_t> order(expected.size());

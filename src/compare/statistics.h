@@ -27,6 +27,9 @@ struct TestResult {
 /// Two samples without any variance give p = 1 where the means are equal, else 0.
 [[nodiscard]] TestResult welchTest(const Moments& a, const Moments& b);
 
+/// |t| that chance alone exceeds with probability `level`, both sides together.
+[[nodiscard]] double criticalT(double level, double degrees);
+
 /// Pearson's chi-square test of counts. Cells that expect fewer than `minimumExpected` are pooled, smallest first,
 /// until the pool reaches it. Something seen where nothing is expected gives p = 0.
 /// `observed` and `expected` have the same length; their sums should agree.

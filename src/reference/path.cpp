@@ -5,7 +5,6 @@
 #include "reference/bsdf.h"
 #include "reference/camera.h"
 #include "reference/frame.h"
-#include "reference/layers.h"
 #include "reference/traverse.h"
 
 namespace vkpt::reference {
@@ -147,7 +146,7 @@ PathTracer::PathTracer(const SceneArrays& scene, const RenderOptions& options)
 
 PathState PathTracer::start(std::uint32_t x, std::uint32_t y, std::uint32_t index) const {
     PathState state;
-    state.sample = {bits_, {x | y << 16U, index, params_.spp, params_.seed}};
+    state.sample = sampleOf(x, y, index);
     state.ray = cameraRay(params_, glm::vec2(x, y) + state.sample.get2D(kDimFilter));
     return state;
 }
@@ -174,18 +173,13 @@ bool PathTracer::isOccluded(const PathState& state, const DirectLight& direct) c
     return anyHit(scene_, direct.shadowRay, direct.tMax, alphaKey(state.sample.id, state.bounce, kRayShadow));
 }
 
-void PathTracer::countCameraRay(PathTally& tally, const PathState& camera, const std::optional<Hit>& hit) const {
-    if (hit || params_.backgroundMode != kBackgroundTransparent) ++tally.sums.red.w;
-    if (hit) ++tally.sums.green.w;
-    if (tally.layers != nullptr) tally.layers->addFirstHit(camera.ray, hit);
-}
-
 void PathTracer::trace(std::uint32_t x, std::uint32_t y, std::uint32_t index, PathTally& tally) const {
     std::optional<PathState> state = start(x, y, index);
     while (state) {
         ++tally.pathRays;
         const auto hit = intersect(*state);  // 1
-        if (state->bounce == 0) countCameraRay(tally, *state, hit);
+        const bool seen = hit || params_.backgroundMode != kBackgroundTransparent;
+        if (state->bounce == 0 && seen) tally.sums.red.w += 1;
         if (!hit) return add(tally, miss(*state));  // 2
         const PathVertex vertex = shade(*state, *hit);
         add(tally, vertex.emitted);

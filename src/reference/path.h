@@ -10,14 +10,11 @@
 
 namespace vkpt::reference {
 
-class LayerTally;
-
 /// What paths leave behind: exact sums, and counts for statistics.
 struct PathTally {
     FilmSums sums{};
     std::uint64_t refused = 0;  ///< contributions that addContribution refused
     std::uint64_t pathRays = 0, shadowRays = 0;
-    LayerTally* layers = nullptr;  ///< told what camera rays meet
 };
 
 /// Where a path stands before it traces segment `bounce` (0: the camera ray).
@@ -53,6 +50,10 @@ public:
     /// Traces sample `index` of pixel (x, y), full-frame coordinates, row 0 at the top, and adds it to `tally`.
     void trace(std::uint32_t x, std::uint32_t y, std::uint32_t index, PathTally& tally) const;
 
+    /// Where a sample's random numbers come from.
+    [[nodiscard]] PathSample sampleOf(std::uint32_t x, std::uint32_t y, std::uint32_t index) const {
+        return {bits_, {x | y << 16U, index, params_.spp, params_.seed}};
+    }
     /// The camera ray.
     [[nodiscard]] PathState start(std::uint32_t x, std::uint32_t y, std::uint32_t index) const;
     /// Step 1.
@@ -65,8 +66,6 @@ public:
     [[nodiscard]] bool isOccluded(const PathState& state, const DirectLight& direct) const;
 
 private:
-    void countCameraRay(PathTally& tally, const PathState& camera, const std::optional<Hit>& hit) const;
-
     const SceneArrays& scene_;
     const RenderParams& params_;
     Lights lights_;

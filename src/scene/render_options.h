@@ -8,7 +8,6 @@
 
 #include "layout.h"
 #include "registry.h"
-#include "scene/aov.h"
 
 namespace vkpt {
 
@@ -17,7 +16,6 @@ struct RenderOptions {
     RenderParams params{};
     SamplerId sampler = SamplerId::Sobol;
     std::uint32_t sampleBegin = 0, sampleEnd = 64;  ///< range of sample indices; params.spp is the whole N
-    AovSet aovs;                                    ///< layers gathered beside the picture
 };
 
 /// How a running render talks to its caller. Backends call `progress` between passes from the calling thread

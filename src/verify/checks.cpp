@@ -1,5 +1,7 @@
 #include "verify/check.h"
+#include "verify/images.h"
 #include "verify/probes.h"
+#include "verify/stages.h"
 
 namespace vkpt {
 namespace {
@@ -29,6 +31,19 @@ constexpr std::array kChecks = {
           checkShadingPoint},
     Check{Rung::Functions, "triangles", "hits against float and double; no gaps at edges", checkTriangle},
     Check{Rung::Functions, "traversal", "closest and any hit, alpha, two levels, ties", checkTraverse},
+
+    Check{Rung::Stages, "generate", "camera rays of the scene", checkGenerate},
+    Check{Rung::Stages, "intersect", "hit records of camera and bounce rays; queues", checkIntersect},
+    Check{Rung::Stages, "miss", "environment and background, weighted", checkMiss},
+    Check{Rung::Stages, "shade", "emission, light samples, next rays, throughput, roulette", checkShade},
+    Check{Rung::Stages, "shadow", "which light samples arrive, and their sums", checkShadow},
+    Check{Rung::Stages, "accumulate", "the film is the sum of its paths: to the bit", checkAccumulate},
+    Check{Rung::Stages, "every feature", "all kernels on a scene in memory that needs all of them", checkEveryFeature},
+
+    Check{Rung::SameSeed, "same seed", "0.25 % of paths may part a segment; the mean may not, by three standard errors",
+          checkSameSeed},
+    Check{Rung::OtherSeeds, "other seeds", "means of 8x8 tiles and of the image; 1 % false alarms in all",
+          checkOtherSeeds},
 };
 
 }  // namespace

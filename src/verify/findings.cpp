@@ -36,6 +36,12 @@ void Findings::excuse(std::string_view name) {
     ++q.excused;
 }
 
+void Findings::tally(std::string_view name, std::uint64_t compared, std::uint64_t excused) {
+    Quantity& q = quantity(name);
+    q.compared += compared;
+    q.excused += excused;
+}
+
 bool Findings::atLeast(std::string_view what, double actual, double least) {
     if (actual >= least) return true;
     if (!disagreement_) disagree(what, "the whole check", fmt::format("{} where {} are needed", actual, least));
@@ -50,6 +56,15 @@ bool Findings::atMost(std::string_view what, double actual, double most) {
 
 void Findings::disagree(std::string_view name, std::string where, std::string what) {
     if (!disagreement_) disagreement_ = {std::string(name), std::move(where), std::move(what)};
+}
+
+void Findings::add(std::string_view prefix, const Findings& other) {
+    for (Quantity q : other.quantities_) {
+        q.name = fmt::format("{}: {}", prefix, q.name);
+        quantities_.push_back(q);
+    }
+    figures_.insert(figures_.end(), other.figures_.begin(), other.figures_.end());
+    if (const auto& d = other.disagreement_) disagree(fmt::format("{}: {}", prefix, d->quantity), d->where, d->what);
 }
 
 std::uint64_t Findings::compared() const {

@@ -22,6 +22,13 @@ struct Quantity {
     double worst = 0;           ///< largest error among those inside, as a share of its tolerance; 0 for equalities
 };
 
+/// A number worth telling that is no comparison.
+struct Figure {
+    std::string name;
+    double value = 0;
+    std::string text;  ///< the value, rounded, with its unit
+};
+
 /// The first value beyond its tolerance.
 struct Disagreement {
     std::string quantity;  ///< which one
@@ -91,13 +98,25 @@ public:
     }
     /// Counts something beyond its tolerance that rounding explains. A check bounds how much of it there may be.
     void excuse(std::string_view quantity);
+    /// Counts at once what was compared elsewhere, and how much of it was excused.
+    void tally(std::string_view quantity, std::uint64_t compared, std::uint64_t excused);
     /// A count that must be reached, or not exceeded, for the check to mean anything.
     bool atLeast(std::string_view what, double actual, double least);
     bool atMost(std::string_view what, double actual, double most);
+    void figure(std::string name, double value, std::string text) {
+        figures_.push_back({std::move(name), value, std::move(text)});
+    }
+    /// The check cannot judge, for a reason that lies in what it is asked to judge.
+    void refuse(std::string reason) { refusal_ = std::move(reason); }
+    /// Takes over what another collected, under names that begin with `prefix`.
+    void add(std::string_view prefix, const Findings& other);
     /// A disagreement that was found elsewhere.
     void disagree(std::string_view quantity, std::string where, std::string what);
 
     [[nodiscard]] const std::vector<Quantity>& quantities() const { return quantities_; }
+    [[nodiscard]] const std::vector<Figure>& figures() const { return figures_; }
+    /// Empty unless the check refused.
+    [[nodiscard]] const std::string& refusal() const { return refusal_; }
     [[nodiscard]] const std::optional<Disagreement>& disagreement() const { return disagreement_; }
     [[nodiscard]] std::uint64_t compared() const;
     [[nodiscard]] std::uint64_t excused() const;
@@ -123,6 +142,8 @@ private:
     }
 
     std::vector<Quantity> quantities_;
+    std::vector<Figure> figures_;
+    std::string refusal_;
     std::optional<Disagreement> disagreement_;
     Describe describe_;
     std::size_t input_ = 0;

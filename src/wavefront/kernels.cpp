@@ -33,19 +33,11 @@ std::vector<std::uint32_t> specializationOf(const SceneFeatures& f, const SceneH
             indexDigits,
             searchSteps(header.lightCount),
             searchSteps(header.envHeight),
-            searchSteps(header.envWidth),
-            options.film.words(),
-            options.film.firstWord(Layer::Albedo),
-            options.film.firstWord(Layer::Normal),
-            options.film.firstWord(Layer::Depth),
-            options.film.firstWord(Layer::Position),
-            options.film.firstWord(Layer::Uv),
-            options.film.firstWord(Layer::Ids),
-            options.film.firstWord(Layer::Luminance)};
+            searchSteps(header.envWidth)};
 }
 
 WavefrontKernels::WavefrontKernels(Device& device, const SpirvSource& spirv,
-                                   std::span<const std::uint32_t> specialization, bool useBallot, bool surfaceLayers) {
+                                   std::span<const std::uint32_t> specialization, bool useBallot) {
     const auto make = [&](std::string_view name) -> Kernel {
         return {device, spirv(name), kKernelBindings, sizeof(BatchParams), specialization, name};
     };
@@ -55,7 +47,6 @@ WavefrontKernels::WavefrontKernels(Device& device, const SpirvSource& spirv,
     miss = make("miss");
     shadow = make("shadow");
     accumulate = make("accumulate");
-    if (surfaceLayers) layers.emplace(make("layers"));
 }
 
 }  // namespace vkpt

@@ -2,12 +2,10 @@
 #pragma once
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
-#include "film/film_layout.h"
 #include "gpu/kernel.h"
 #include "gpu/spirv_source.h"
 #include "scene/render_options.h"
@@ -29,7 +27,6 @@ struct KernelOptions {
     SamplerId sampler = SamplerId::Sobol;
     std::uint32_t lastIndex = ~0U;  ///< the highest sample index they may meet
     bool fetchTexel = false, useBallot = false, stateTexel = false;
-    FilmLayout film{};
 };
 
 /// Halvings that searchCdf of shaders/math/cdf.glsl needs for a table of `count` entries.
@@ -41,12 +38,10 @@ struct KernelOptions {
 
 struct WavefrontKernels {
     Kernel generate, intersect, shade, miss, shadow, accumulate;
-    std::optional<Kernel> layers;
 
-    /// `useBallot` false: the variants that need no subgroup operations. `surfaceLayers`: with the kernel that gathers
-    /// what camera rays meet.
+    /// `useBallot` false: the variants that need no subgroup operations.
     WavefrontKernels(Device& device, const SpirvSource& spirv, std::span<const std::uint32_t> specialization,
-                     bool useBallot, bool surfaceLayers);
+                     bool useBallot);
 };
 
 }  // namespace vkpt

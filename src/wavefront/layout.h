@@ -14,8 +14,15 @@ struct BatchParams {
     std::uint32_t capacity = 0;
     std::uint32_t pathCount = 0;
     std::uint32_t filmFirst = 0;
-    std::uint32_t filmLayers = 0;  ///< word of the film buffer where the layers of its pixels begin
 };
+
+/// Which path lies in a slot.
+struct SlotPlace {
+    std::uint32_t pixel = 0, sample = 0;  ///< of the frame, row by row; of the whole render
+};
+[[nodiscard]] constexpr SlotPlace placeOfSlot(const BatchParams& batch, std::uint32_t slot) {
+    return {batch.firstPixel + slot / batch.sampleCount, batch.firstSample + slot % batch.sampleCount};
+}
 
 inline constexpr std::uint32_t kGroupSize = 64;
 inline constexpr std::uint32_t kStateArrays = 10;  ///< 16-byte words a path
@@ -31,17 +38,16 @@ enum class StateArray : std::uint32_t {
     Throughput,  ///< xyz
     Hit,         ///< t, slot of the triangle, b1, b2
     Red,         ///< exact sums; w: alpha
-    Green,       ///< w: a surface was met
+    Green,
     Blue,
     ShadowOrigin,   ///< xyz; w: slot of the path. The shadow arrays are indexed by their queue.
     ShadowTarget,   ///< xyz: from the origin to the light; w: tMax
     ShadowRadiance  ///< xyz
 };
 
-/// Kernels in the order of a bounce; last the one that follows the intersections of the camera rays where layers are
-/// asked for.
-enum class Stage : std::uint32_t { Generate, Intersect, Miss, Shade, Shadow, Accumulate, Layers };
-inline constexpr std::array kStageNames = {"generate", "intersect", "miss", "shade", "shadow", "accumulate", "layers"};
+/// Kernels in the order of a bounce.
+enum class Stage : std::uint32_t { Generate, Intersect, Miss, Shade, Shadow, Accumulate };
+inline constexpr std::array kStageNames = {"generate", "intersect", "miss", "shade", "shadow", "accumulate"};
 
 /// {groups, 1, 1, items} of one queue at one bounce.
 struct QueueCounter {
@@ -51,7 +57,6 @@ struct QueueCounter {
 inline constexpr std::uint32_t kMaxBounceBlocks = 4096;
 inline constexpr std::uint32_t kCounterBlock = kQueues * sizeof(QueueCounter) / 4;  ///< uints a bounce
 inline constexpr std::uint32_t kRefusedCounter = kCounterBlock * kMaxBounceBlocks;
-inline constexpr std::uint32_t kRefusedInLayersCounter = kRefusedCounter + 1;
 inline constexpr std::uint32_t kQueueBase = kRefusedCounter + 16;
 
 /// Byte offset of a queue's counter, which is also the argument of its indirect dispatch.

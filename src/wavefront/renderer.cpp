@@ -35,10 +35,9 @@ struct Frame {  // the uniform block of shaders/geometry/fetch.glsl
     RenderParams render;
 };
 
-WavefrontStats zeroStats(bool withLayers) {
+WavefrontStats zeroStats() {
     WavefrontStats stats;
     for (const char* name : kStageNames) stats.stages.push_back({name, 0, 0});
-    if (!withLayers) stats.stages.pop_back();
     return stats;
 }
 
@@ -69,7 +68,7 @@ bool useStateTexels(const Device& device, WavefrontConfig::Fetch fetch, std::siz
 struct WavefrontRenderer::Impl {
     struct FilmBand {
         Band band;
-        Buffer film;  ///< FilmSums of every pixel, then the words of its layers
+        Buffer film;
         BindGroup group;
     };
 
@@ -86,7 +85,6 @@ struct WavefrontRenderer::Impl {
     WavefrontConfig config;
     Device device;
     SceneLayout layout;
-    FilmLayout filmLayout;
     std::uint32_t capacity;
     bool texels, stateTexel, ballot;
     MemoryPlan plan;
@@ -105,7 +103,6 @@ struct WavefrontRenderer::Impl {
 
     void recordStart(const FilmBand& band, const BatchParams& batch);
     void recordBounces(const FilmBand& band, BatchParams batch, std::uint32_t begin, std::uint32_t end);
-    void recordLayers(const FilmBand& band, const BatchParams& batch);
     void recordEnd(const FilmBand& band, const BatchParams& batch);
     void finish(Stage stage, const BatchParams& batch);
     void show(Stage stage, const BatchParams& batch);
@@ -115,9 +112,6 @@ struct WavefrontRenderer::Impl {
                     std::uint64_t totalPaths, WavefrontStats& stats);
     void gatherCounters(WavefrontStats& stats);
     [[nodiscard]] Film readFilm(std::uint32_t samplesDone);
-    [[nodiscard]] std::size_t filmBytesPerPixel() const {
-        return sizeof(FilmSums) + filmLayout.words() * sizeof(uvec4);
-    }
 
     std::uint32_t pathsPerBatch = 0;
     std::vector<Stage> stamps;  ///< stage that ends at each timestamp slot of the current submission
@@ -131,7 +125,6 @@ WavefrontRenderer::Impl::Impl(const SceneArrays& arrays, const RenderOptions& re
       config(wavefrontConfig),
       device({config.device, config.validation}),
       layout(planScene(arrays)),
-      filmLayout(options.aovs),
       capacity(config.pathsInFlight != 0 ? config.pathsInFlight : kDefaultPaths),
       texels(useTexels(device, config.fetch, layout.bytes)),
       stateTexel(useStateTexels(device, config.fetch, stateBytes(capacity))),
@@ -142,10 +135,9 @@ WavefrontRenderer::Impl::Impl(const SceneArrays& arrays, const RenderOptions& re
                                 .lastIndex = std::max(options.params.spp, 1U) - 1,
                                 .fetchTexel = texels,
                                 .useBallot = ballot,
-                                .stateTexel = stateTexel,
-                                .film = filmLayout}),
-              ballot, filmLayout.hasSurfaceLayer()),
-      recorder(device, config.timings ? 4 * kBouncesPerSubmit + 5 : 0),
+                                .stateTexel = stateTexel}),
+              ballot),
+      recorder(device, config.timings ? 4 * kBouncesPerSubmit + 4 : 0),
       pathsPerBatch(capacity) {
     if (counterBlocks() > kMaxBounceBlocks)
         throw Error(ExitCode::Usage,
@@ -158,11 +150,11 @@ WavefrontRenderer::Impl::Impl(const SceneArrays& arrays, const RenderOptions& re
 void WavefrontRenderer::Impl::createBuffers(const SceneArrays& arrays) {
     const auto& limits = device.info().limits;
     const std::uint32_t width = options.params.width, height = options.params.height;
-    const auto bandList = makeBands(width, height, limits.maxStorageBufferRange / filmBytesPerPixel());
+    const auto bandList = makeBands(width, height, limits.maxStorageBufferRange / sizeof(FilmSums));
     plan.add("scene", layout.bytes, !texels);
     plan.add("path state", stateBytes(capacity));
     plan.add("queues", counterBytes(capacity));
-    for (const Band& band : bandList) plan.add("film", band.pixelCount * filmBytesPerPixel());
+    for (const Band& band : bandList) plan.add("film", std::uint64_t{band.pixelCount} * sizeof(FilmSums));
     plan.check(device.info());
 
     const std::size_t counterBytesUsed = std::size_t{kQueueBase} * 4;
@@ -184,7 +176,8 @@ void WavefrontRenderer::Impl::createBuffers(const SceneArrays& arrays) {
     std::memcpy(freshCounters.map().data(), fresh.data(), fresh.size() * sizeof(QueueCounter));
     uploadScene(device, scene, arrays, layout.header);
     for (const Band& band : bandList) {
-        FilmBand b{band, Buffer(device, BufferUse::Storage, band.pixelCount * filmBytesPerPixel(), "film"), {}};
+        FilmBand b{
+            band, Buffer(device, BufferUse::Storage, std::size_t{band.pixelCount} * sizeof(FilmSums), "film"), {}};
         const std::array<Binding, 7> bindings = {
             frame, texels ? dummy : scene, sceneTexels, state, counters, b.film, stateTexels};
         b.group = BindGroup(device, kernels.generate, bindings);
@@ -200,7 +193,7 @@ void WavefrontRenderer::Impl::writeFrame() {
 void WavefrontRenderer::Impl::clearFilm() {
     recorder.begin();
     for (const auto& b : bands) recorder.fill(b.film, 0, b.film.size(), 0);
-    recorder.fill(counters, kRefusedCounter * 4, 8, 0);
+    recorder.fill(counters, kRefusedCounter * 4, 4, 0);
     recorder.submitAndWait();
 }
 
@@ -240,17 +233,10 @@ void WavefrontRenderer::Impl::recordBounces(const FilmBand& band, BatchParams ba
     };
     for (batch.bounce = begin; batch.bounce < end; ++batch.bounce) {
         stage(kernels.intersect, Queue::Ray, Stage::Intersect);
-        if (batch.bounce == 0 && kernels.layers) recordLayers(band, batch);
         stage(kernels.miss, Queue::Miss, Stage::Miss);
         stage(kernels.shade, Queue::Hit, Stage::Shade);
         if (batch.bounce < options.params.maxDepth) stage(kernels.shadow, Queue::Shadow, Stage::Shadow);
     }
-}
-
-/// Of the hits of the camera rays.
-void WavefrontRenderer::Impl::recordLayers(const FilmBand& band, const BatchParams& batch) {
-    recorder.dispatch(*kernels.layers, band.group, batch, groupsFor(batch.pixelCount));
-    finish(Stage::Layers, batch);
 }
 
 void WavefrontRenderer::Impl::recordEnd(const FilmBand& band, const BatchParams& batch) {
@@ -273,7 +259,6 @@ void WavefrontRenderer::Impl::renderBatch(const FilmBand& band, BatchParams batc
     batch.capacity = capacity;
     batch.pathCount = batch.pixelCount * batch.sampleCount;
     batch.filmFirst = band.band.firstPixel;
-    batch.filmLayers = band.band.pixelCount * sizeof(FilmSums) / sizeof(uvec4);
     bool more = true;
     for (std::uint32_t begin = 0; more; begin += kBouncesPerSubmit) {
         const std::uint32_t end = std::min(begin + kBouncesPerSubmit, bounces);
@@ -312,7 +297,6 @@ void WavefrontRenderer::Impl::gatherCounters(WavefrontStats& stats) {
         stats.stages[static_cast<std::size_t>(Stage::Shadow)].items += items(Queue::Shadow);
     }
     stats.refused = words[kRefusedCounter];
-    stats.refusedInLayers = words[kRefusedInLayersCounter];
 }
 
 void WavefrontRenderer::Impl::renderPass(std::uint32_t firstSample, std::uint32_t sampleCount,
@@ -338,16 +322,15 @@ void WavefrontRenderer::Impl::renderPass(std::uint32_t firstSample, std::uint32_
 }
 
 Film WavefrontRenderer::Impl::readFilm(std::uint32_t samplesDone) {
-    Film film(options.params.width, options.params.height, options.aovs);
-    film.ranges = {{options.sampleBegin, options.sampleBegin + samplesDone}};
-    const std::size_t words = filmLayout.words();
-    for (const FilmBand& b : bands) {
-        const std::size_t first = b.band.firstPixel, count = b.band.pixelCount;
-        downloadBuffer(device, b.film, 0, std::as_writable_bytes(std::span(film.sums).subspan(first, count)));
-        if (words > 0)
-            downloadBuffer(device, b.film, count * sizeof(FilmSums),
-                           std::as_writable_bytes(std::span(film.layers).subspan(first * words, count * words)));
-    }
+    Film film;
+    film.width = options.params.width;
+    film.height = options.params.height;
+    film.sampleBegin = options.sampleBegin;
+    film.sampleEnd = options.sampleBegin + samplesDone;
+    film.sums.resize(std::size_t{film.width} * film.height);
+    for (const FilmBand& b : bands)
+        downloadBuffer(device, b.film, 0,
+                       std::as_writable_bytes(std::span(film.sums).subspan(b.band.firstPixel, b.band.pixelCount)));
     return film;
 }
 
@@ -360,7 +343,7 @@ WavefrontRenderer::~WavefrontRenderer() = default;
 Film WavefrontRenderer::render(const RenderControl& control, WavefrontStats* statsOut) {
     Impl& r = *impl_;
     const auto start = Clock::now();
-    WavefrontStats stats = zeroStats(r.kernels.layers.has_value());
+    WavefrontStats stats = zeroStats();
     stats.device = r.device.info().name;
     stats.driver = r.device.info().driver;
     stats.fetch = r.texels ? "texel" : "storage";
@@ -379,9 +362,7 @@ Film WavefrontRenderer::render(const RenderControl& control, WavefrontStats* sta
     }
     Film film = r.readFilm(done);
     film.refused = stats.refused;
-    film.refusedInLayers = stats.refusedInLayers;
     stats.stages[0].items = stats.stages[5].items = stats.paths;
-    if (r.kernels.layers) stats.stages.back().items = stats.paths;
     stats.pathRays = stats.stages[1].items;
     stats.shadowRays = stats.stages[4].items;
     stats.renderSeconds = secondsSince(start);
@@ -409,7 +390,7 @@ std::vector<FilmSums> WavefrontRenderer::observe(std::uint32_t firstPixel, std::
         throw Error(ExitCode::Usage,
                     fmt::format("{} samples of {} pixels are more than one batch", samples, pixelCount));
     r.clearFilm();
-    WavefrontStats stats = zeroStats(r.kernels.layers.has_value());
+    WavefrontStats stats = zeroStats();
     const Impl::Watch watch(r, observer);
     r.renderBatch(*band,
                   {.firstPixel = firstPixel,
@@ -422,5 +403,7 @@ std::vector<FilmSums> WavefrontRenderer::observe(std::uint32_t firstPixel, std::
 }
 
 std::string WavefrontRenderer::memoryPlan() const { return impl_->plan.describe(); }
+
+std::uint64_t WavefrontRenderer::validationMessages() const { return impl_->device.validationMessages(); }
 
 }  // namespace vkpt

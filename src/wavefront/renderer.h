@@ -60,7 +60,6 @@ struct WavefrontStats {
     std::string device, driver, fetch;
     std::vector<StageStats> stages;
     std::uint64_t paths = 0, pathRays = 0, shadowRays = 0, refused = 0, deviceBytes = 0, batches = 0;
-    std::uint64_t refusedInLayers = 0;
     double uploadSeconds = 0, renderSeconds = 0, secondsToFirstPass = 0;
     std::uint64_t validationMessages = 0;
 };
@@ -85,6 +84,8 @@ public:
                                                 const StageObserver& observer);
     /// What is allocated on the device, a line each.
     [[nodiscard]] std::string memoryPlan() const;
+    /// Warnings and errors of the validation layers so far (0 without validation).
+    [[nodiscard]] std::uint64_t validationMessages() const;
 
 private:
     struct Impl;

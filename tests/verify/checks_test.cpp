@@ -19,7 +19,7 @@ namespace {
 /// One for all tests: probes are compiled once.
 VerifyContext& context() {
     static const SceneArrays scene = makeEverything();
-    static const RenderOptions options;
+    static const RenderOptions options = makeOptions(48, 32, 2);
     static VerifyContext context(scene, options, [] {
         VerifyConfig config;
         config.wavefront.device = getenv("VKPT_TEST_DEVICE") ? getenv("VKPT_TEST_DEVICE") : "";

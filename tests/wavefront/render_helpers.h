@@ -2,12 +2,10 @@
 #pragma once
 #include <gtest/gtest.h>
 
+#include "verify/inputs/scenes.h"
 #include "wavefront/renderer.h"
 
 namespace vkpt {
-
-/// A camera before the lamps of makeLamps, 5 bounces, roulette after 3; samples [0, samples) of as many.
-[[nodiscard]] RenderOptions makeOptions(std::uint32_t width, std::uint32_t height, std::uint32_t samples);
 
 /// The device of VKPT_TEST_DEVICE, with validation.
 [[nodiscard]] WavefrontConfig makeConfig();

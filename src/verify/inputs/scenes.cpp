@@ -180,6 +180,25 @@ SceneArrays makeEverything(bool instances) {
     return arrays;
 }
 
+RenderOptions makeOptions(std::uint32_t width, std::uint32_t height, std::uint32_t samples) {
+    RenderOptions options;
+    RenderParams& p = options.params;
+    p.eye = {0.5F, 2, 5};
+    p.forward = glm::normalize(glm::vec3(-0.1F, -0.3F, -1));
+    p.right = glm::normalize(glm::cross(p.forward, {0, 1, 0})) *
+              (0.5F * static_cast<float>(width) / static_cast<float>(height));
+    p.up = glm::normalize(glm::cross(p.right, p.forward)) * 0.5F;
+    p.width = width;
+    p.height = height;
+    p.seed = 5;
+    p.spp = samples;
+    p.maxDepth = 5;
+    p.rrMode = kRouletteThroughput;
+    p.rrDepth = 3;
+    options.sampleEnd = samples;
+    return options;
+}
+
 SceneArrays makeFurnace() {
     Scene scene;
     Material wall = makeMaterial({1, 1, 1}, 0, 1);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "scene/flatten.h"
+#include "scene/render_options.h"
 #include "scene/scene.h"
 #include "scene/scene_arrays.h"
 
@@ -46,6 +47,9 @@ void addObject(Scene& scene, Primitive primitive, const std::vector<glm::mat4>& 
 
 /// Lamps and foliage under a sky: every feature of the kernels but normal maps, and instances where they are asked for.
 [[nodiscard]] SceneArrays makeEverything(bool instances = false);
+
+/// A camera before the lamps, 5 bounces, roulette after 3; samples [0, samples) of as many.
+[[nodiscard]] RenderOptions makeOptions(std::uint32_t width, std::uint32_t height, std::uint32_t samples);
 
 /// A closed white box of 16 m that glows all over: no path ends before its last bounce, unless roulette ends it.
 [[nodiscard]] SceneArrays makeFurnace();

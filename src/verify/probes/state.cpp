@@ -1,4 +1,6 @@
 // src/wavefront/layout.h says the same as shaders/kernels/state.glsl: push constants, state arrays, counters, queues.
+#include <cstring>
+
 #include "gpu/recorder.h"
 #include "gpu/transfer.h"
 #include "verify/context.h"
@@ -10,7 +12,7 @@ namespace vkpt {
 namespace {
 
 constexpr BatchParams kBatch{11, 12, 13, 14, 5, 40, 17, 18};
-constexpr std::uint32_t kBounces = 3;
+constexpr std::uint32_t kBounces = 3, kSlots = 40, kWidth = 10;
 
 struct Read {
     std::vector<std::uint32_t> outputs;
@@ -21,6 +23,9 @@ Read runStateProbe(Prober& prober) {
     Device& device = prober.device();
     const Kernel kernel(device, prober.spirv("state"), kKernelBindings, sizeof(BatchParams), {}, "state");
     const Buffer frame(device, BufferUse::Uniform, sizeof(SceneHeader) + sizeof(RenderParams), "frame");
+    RenderParams params{};
+    params.width = kWidth;
+    std::memcpy(frame.map().data() + sizeof(SceneHeader), &params, sizeof params);
     const std::vector<uvec4> empty(std::size_t{kStateArrays} * kBatch.capacity);
     const Buffer state = makeStorage<uvec4>(device, empty, "state"), words = makeStorage<uvec4>(device, empty, "words"),
                  outputs = makeStorage<uvec4>(device, empty, "outputs");
@@ -31,7 +36,7 @@ Read runStateProbe(Prober& prober) {
     recorder.begin();
     recorder.dispatch(kernel, group, kBatch, 1);
     recorder.submitAndWait();
-    return {readStorage<std::uint32_t>(device, outputs, 0, 9 + kBounces * kQueues * 2),
+    return {readStorage<std::uint32_t>(device, outputs, 0, 9 + kBounces * kQueues * 2 + 2 * kSlots),
             readStorage<uvec4>(device, state, 0, empty.size())};
 }
 
@@ -49,6 +54,11 @@ std::vector<std::pair<std::string, std::size_t>> expectedOutputs() {
             list.emplace_back(fmt::format("array of queue {}, bounce {}", q, bounce),
                               queueArrayOffset(bounce, queue, b.capacity));
         }
+    for (std::uint32_t slot = 0; slot < kSlots; ++slot) {
+        const SlotPlace place = placeOfSlot(b, slot);
+        list.emplace_back(fmt::format("pixel of slot {}", slot), place.pixel % kWidth | (place.pixel / kWidth) << 16U);
+        list.emplace_back(fmt::format("sample of slot {}", slot), place.sample);
+    }
     return list;
 }
 

@@ -6,12 +6,12 @@
 
 #include "bvh/build.h"
 #include "verify/context.h"
-#include "verify/hits.h"
 #include "verify/inputs/random_inputs.h"
 #include "verify/inputs/rays.h"
 #include "verify/inputs/scenes.h"
 #include "verify/inputs/soups.h"
 #include "verify/probes.h"
+#include "verify/stages/hits.h"
 
 namespace vkpt {
 namespace {

@@ -17,6 +17,7 @@ struct HitTolerance {
     double relative = 1e-4;  ///< of t, and tenfold of the barycentrics
     float edge = 1e-4F;      ///< how near an edge, in barycentrics, rounding may decide
     bool worldDepth = true;  ///< corners are in world space
+    bool jitter = false;     ///< excuse, too, what the reference meets along rays within rounding of this one
 };
 
 struct HitCounts {

@@ -1,0 +1,97 @@
+#include "verify/images.h"
+
+#include "reference/path.h"
+#include "reference/render.h"
+#include "verify/context.h"
+#include "verify/replay.h"
+
+namespace vkpt {
+namespace {
+
+constexpr double kMostPartedASegment = 0.0025;  ///< share of paths: rounding grows from bounce to bounce
+
+std::string_view channelName(std::uint32_t channel) { return std::string_view("RGB").substr(channel, 1); }
+
+/// Where and at which vertex a path parts.
+std::string locate(VerifyContext& context, const PathDifferences::Parted& path) {
+    const std::string place = fmt::format("pixel {},{}, sample {}", path.x, path.y, path.index);
+    const auto replayed = replayPixel(context, path.x, path.y, path.index, path.index + 1);
+    const auto parting = replayed.empty() ? std::nullopt : replayed[0].parting();
+    if (!parting) return place;
+    return fmt::format("{}, bounce {}: {} {} instead of {}", place, parting->bounce, parting->row, parting->device,
+                       parting->reference);
+}
+
+/// Whether every dimension a path uses changes with the seed.
+bool isRandomised(const SceneArrays& scene, RenderOptions options) {
+    constexpr std::uint32_t kDimensions = 64, kSamples = 16;
+    const reference::PathTracer one(scene, options);
+    RenderOptions otherOptions = options;
+    otherOptions.params.seed = ~options.params.seed;
+    const reference::PathTracer other(scene, otherOptions);
+    for (std::uint32_t dim = 0; dim < kDimensions; ++dim) {
+        bool differs = false;
+        for (std::uint32_t index = 0; index < kSamples && !differs; ++index)
+            differs = one.sampleOf(3, 2, index).get1D(dim) != other.sampleOf(3, 2, index).get1D(dim);
+        if (!differs) return false;
+    }
+    return true;
+}
+
+void tellMean(Findings& f, const MeanComparison& c) {
+    const double difference = c.b.mean == 0 ? 0 : c.a.mean / c.b.mean - 1;
+    f.figure(fmt::format("mean {}, vulkan / cpu - 1", channelName(c.channel)), difference,
+             fmt::format("{:+.3f} %", 100 * difference));
+}
+
+}  // namespace
+
+void checkSameSeed(VerifyContext& context, Findings& f) {
+    const SameSeedImages& images = context.sameSeed();
+    const PathDifferences& d = images.differences;
+    if (d.mean(0) + d.mean(1) + d.mean(2) == 0) return f.refuse("the image is black: there is nothing to compare");
+    f.tally("paths", d.paths(), d.parted());
+    f.figure("paths that part", d.partedShare(), fmt::format("{:.4f} %", 100 * d.partedShare()));
+    f.figure("their mean difference", d.partedSize(), fmt::format("{:.2f} of the mean", d.partedSize()));
+    const double most = kMostPartedASegment * (context.options().params.maxDepth + 1);
+    if (d.partedShare() > most && d.worst())
+        f.disagree("paths that part", locate(context, *d.worst()),
+                   fmt::format("{:.3f} % where {} % are allowed", 100 * d.partedShare(), 100 * most));
+    for (int c = 0; c < 3; ++c) {
+        const double relative = d.mean(c) == 0 ? 0 : d.meanDifference(c) / d.mean(c);
+        f.figure(fmt::format("mean difference {}", channelName(static_cast<std::uint32_t>(c))), relative,
+                 fmt::format("{:+.2g} %", 100 * relative));
+        const double allowed = 3 * d.standardError(c) + PathDifferences::kRounding * d.mean(c);
+        const bool inside = std::abs(d.meanDifference(c)) <= allowed;
+        if (!inside && d.worst())
+            f.disagree("mean difference", locate(context, *d.worst()),
+                       fmt::format("{:.3g} in channel {}, where three standard errors are {:.3g}", d.meanDifference(c),
+                                   channelName(static_cast<std::uint32_t>(c)), allowed));
+    }
+}
+
+void checkOtherSeeds(VerifyContext& context, Findings& f) {
+    if (!isRandomised(context.scene(), context.options()))
+        return f.refuse(
+            "the sampler gives the same numbers for every seed, so replicates would be copies; choose a "
+            "randomised one");
+    const ReplicateResult& result = context.replicates();
+    const MeanComparison& worst = result.worst();
+    f.tally("means", result.tiles.size() + result.whole.size(), 0);
+    f.figure("replicates a side", context.config().replicates, fmt::format("{}", context.config().replicates));
+    for (const MeanComparison& c : result.whole) tellMean(f, c);
+    f.figure("least p", worst.test.p, fmt::format("{:.2g} (level {:.2g})", worst.test.p, result.level));
+    if (result.agrees()) return;
+    const bool whole = worst.width == result.meanA.width && worst.height == result.meanA.height;
+    f.disagree(
+        whole ? "mean of the image" : "mean of a tile",
+        fmt::format("{}channel {}",
+                    whole ? ""
+                          : fmt::format("pixels {},{} to {},{}, ", worst.x, worst.y, worst.x + worst.width - 1,
+                                        worst.y + worst.height - 1),
+                    channelName(worst.channel)),
+        fmt::format("{:.5g} instead of {:.5g}: t = {:.2f}, {:.0f} degrees of freedom, p = {:.1g}, level {:.1g}",
+                    worst.a.mean, worst.b.mean, worst.test.statistic, worst.test.degrees, worst.test.p, result.level));
+}
+
+}  // namespace vkpt

@@ -1,0 +1,28 @@
+#include "verify/context.h"
+#include "verify/inputs/scenes.h"
+#include "verify/stages.h"
+#include "verify/stages/walk.h"
+
+namespace vkpt {
+
+void checkGenerate(VerifyContext& context, Findings& f) { f = context.stages().findings(Stage::Generate); }
+void checkIntersect(VerifyContext& context, Findings& f) { f = context.stages().findings(Stage::Intersect); }
+void checkMiss(VerifyContext& context, Findings& f) { f = context.stages().findings(Stage::Miss); }
+void checkShade(VerifyContext& context, Findings& f) { f = context.stages().findings(Stage::Shade); }
+void checkShadow(VerifyContext& context, Findings& f) { f = context.stages().findings(Stage::Shadow); }
+void checkAccumulate(VerifyContext& context, Findings& f) { f = context.stages().findings(Stage::Accumulate); }
+
+void checkEveryFeature(VerifyContext& context, Findings& findings) {
+    const SceneArrays arrays = makeEverything(true);
+    const RenderOptions options = makeOptions(64, 48, 2);
+    WavefrontConfig config = context.config().wavefront;
+    config.pathsInFlight = options.params.width * options.params.height * 2;
+    WavefrontRenderer renderer(arrays, options, config);
+    StageWalk walk(arrays, options, "every feature");
+    walk.run(renderer, 0, options.params.width * options.params.height);
+    walk.finish();
+    for (std::size_t stage = 0; stage < kStages; ++stage)
+        findings.add(kStageNames[stage], walk.findings(static_cast<Stage>(stage)));
+}
+
+}  // namespace vkpt

@@ -1,0 +1,64 @@
+#include "verify/stages/shade_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vkpt {
+namespace {
+
+constexpr double kFilmUnit = 0x1p-48;
+constexpr double kPosition = 4e-7;  ///< of the largest coordinate at hand: a fifth of what rays leave a surface by
+
+// Values that carry two decisions each: which lobe, which light. Lobes magnify rounding, hence the wide tolerances;
+// narrow ones exceed them and are compared by the range of nearby inputs.
+constexpr double kDirection = 2e-5, kWeight = 1e-3, kDensity = 2e-3;
+
+/// Light too faint for the film to hold, or for floats: whether it exists is rounding's choice.
+bool isFaint(const glm::vec3& v) { return !(std::max({v.x, v.y, v.z}) >= 1e-15F); }
+
+/// -1 stands for the infinite density of a mirror.
+double finitePdf(float pdf) { return std::isinf(pdf) ? -1.0 : double{pdf}; }
+
+/// `magnitude`: the largest coordinate of what the vertex lies on; 0 on the device's side, which needs no tolerances.
+void addDirect(Parts& parts, const reference::DirectLight& direct, double magnitude) {
+    if (isFaint(direct.contribution)) return;
+    const glm::dvec3 way(direct.shadowRay.direction);
+    const bool infinite = std::isinf(direct.tMax);
+    const double size = magnitude + glm::length(glm::dvec3(direct.shadowRay.origin) + way);
+    parts.push_back({"shadow ray's origin", direct.shadowRay.origin, kPosition * magnitude});
+    parts.push_back(
+        {infinite ? "direction of the light" : "way to the light", way, infinite ? kDirection : kPosition * size});
+    parts.push_back({"light sample", direct.contribution, 2 * kFilmUnit, kWeight});
+}
+
+void addNext(Parts& parts, const reference::PathState& next, double magnitude) {
+    if (isFaint(next.throughput)) return;
+    parts.push_back({"next ray's origin", next.ray.origin, kPosition * magnitude});
+    parts.push_back({"next direction", next.ray.direction, kDirection});
+    parts.push_back({"throughput", next.throughput, 1e-9, kWeight});
+    parts.push_back({"pdf", glm::dvec3(finitePdf(next.pdfBsdf)), 1e-9, kDensity});
+}
+
+}  // namespace
+
+Part contributionPart(std::string_view name, const glm::vec3& contribution) {
+    return {name, contribution, 2 * kFilmUnit, 2e-4};
+}
+
+Parts partsOf(const DeviceVertex& vertex) {
+    Parts parts = {{"emitted light", vertex.emitted}};
+    if (vertex.direct) addDirect(parts, *vertex.direct, 0);
+    if (vertex.next) addNext(parts, *vertex.next, 0);
+    return parts;
+}
+
+Parts partsOf(const reference::PathVertex& vertex) {
+    const double magnitude =
+        glm::distance(glm::dvec3(vertex.point.rayOrigin), glm::dvec3(vertex.point.position)) / double{kOffsetScale};
+    Parts parts = {contributionPart("emitted light", vertex.emitted)};
+    if (vertex.direct) addDirect(parts, *vertex.direct, magnitude);
+    if (vertex.next) addNext(parts, *vertex.next, magnitude);
+    return parts;
+}
+
+}  // namespace vkpt

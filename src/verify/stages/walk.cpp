@@ -1,0 +1,249 @@
+#include "verify/stages/walk.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "reference/accumulate.h"
+#include "reference/traverse.h"
+#include "verify/stages/shade_parts.h"
+
+namespace vkpt {
+namespace {
+
+constexpr double kMostExcused = 0.01;  ///< share of what a stage does that rounding may decide otherwise
+
+}  // namespace
+
+StageWalk::StageWalk(const SceneArrays& scene, const RenderOptions& options, std::string what)
+    : scene_(scene), params_(options.params), paths_(scene, options), what_(std::move(what)) {}
+
+void StageWalk::run(WavefrontRenderer& renderer, std::uint32_t firstPixel, std::uint32_t pixelCount) {
+    const auto film = renderer.observe(firstPixel, pixelCount, [this](const StageSnapshot& now) {
+        see(now);
+        before_ = now;
+    });
+    accumulate(before_, film);
+}
+
+void StageWalk::finish() {
+    for (const Stage stage : {Stage::Intersect, Stage::Miss, Stage::Shade, Stage::Shadow})
+        for (const Quantity& q : std::vector(of(stage).quantities()))
+            of(stage).atMost("excused: " + q.name, static_cast<double>(q.excused),
+                             5 + kMostExcused * static_cast<double>(q.compared));
+}
+
+void StageWalk::see(const StageSnapshot& now) {
+    switch (now.stage) {
+        case Stage::Generate:
+            return generate(now);
+        case Stage::Intersect:
+            return intersect(now);
+        case Stage::Miss:
+            return miss(now);
+        case Stage::Shade:
+            return shade(now);
+        case Stage::Shadow:
+            return shadow(now);
+        case Stage::Accumulate:
+            return;
+    }
+}
+
+Findings::InputScope StageWalk::scope(Findings& findings, std::uint32_t bounce) {
+    return findings.inputs([this, bounce](std::size_t path) {
+        const DevicePaths::Place p = paths_.placeOf(before_.batch, static_cast<std::uint32_t>(path));
+        return fmt::format("{}: pixel {},{}, sample {}, bounce {}", what_, p.x, p.y, p.index, bounce);
+    });
+}
+
+/// Both hold the same slots, each once.
+void StageWalk::compareQueue(Findings& findings, std::string_view name, std::vector<std::uint32_t> actual,
+                             std::vector<std::uint32_t> expected) {
+    std::ranges::sort(actual);
+    std::ranges::sort(expected);
+    if (findings.holds(name, actual == expected, "does not hold each path once")) return;
+}
+
+/// Sums of paths that a stage has no business with stay as they are.
+void StageWalk::compareUntouched(Findings& findings, const StageSnapshot& now, const std::vector<bool>& touched) {
+    for (std::uint32_t path = 0; path < now.batch.pathCount; ++path) {
+        if (touched[path]) continue;
+        findings.at(path);
+        findings.holds("other paths", sumsOf(now, path) == sumsOf(before_, path), "their sums changed");
+    }
+}
+
+/// What a stage added to a path's sums; `first`: they begin with it.
+glm::dvec3 StageWalk::added(const StageSnapshot& now, std::uint32_t path, bool first) const {
+    return addedTo(first ? PathSums{} : sumsOf(before_, path), sumsOf(now, path));
+}
+
+void StageWalk::generate(const StageSnapshot& now) {
+    before_ = now;
+    Findings& f = of(Stage::Generate);
+    const auto where = scope(f, 0);
+    std::vector<std::uint32_t> all(now.batch.pathCount);
+    std::iota(all.begin(), all.end(), 0U);
+    for (const std::uint32_t path : all) {
+        f.at(path);
+        const DevicePaths::Place place = paths_.placeOf(now.batch, path);
+        const reference::PathState expected = paths_.tracer().start(place.x, place.y, place.index);
+        const reference::PathState state = paths_.stateOf(now, path, 0);
+        const double size = std::max(1e-30, double{glm::length(expected.ray.origin)});
+        f.near("origin", state.ray.origin, expected.ray.origin, 4e-7 * size + 4e-7);
+        f.near("direction", state.ray.direction, expected.ray.direction, 1e-6);
+        f.equal("throughput", state.throughput, expected.throughput);
+        f.holds("pdf", state.pdfBsdf == expected.pdfBsdf, "is finite");
+    }
+    const auto queue = now.queue(0, Queue::Ray);
+    compareQueue(f, "ray queue", {queue.begin(), queue.end()}, all);
+}
+
+void StageWalk::intersect(const StageSnapshot& now) {
+    Findings& f = of(Stage::Intersect);
+    const std::uint32_t bounce = now.batch.bounce;
+    const auto where = scope(f, bounce);
+    const HitTolerance tolerance{.worldDepth = scene_.instances.empty(), .jitter = true};
+    const auto compare = [&](std::uint32_t path, bool met) {
+        f.at(path);
+        const reference::PathState state = paths_.stateOf(before_, path, bounce);
+        DeviceHit hit;
+        if (met) {
+            const reference::Hit h = paths_.hitOf(now, path);
+            hit = {h.t, h.triangle, h.barycentrics.y, h.barycentrics.z, h.instance == kNone ? 0 : h.instance};
+            if (!f.holds("slots of triangles", hit.slot < scene_.triangles.size(), "beyond the last")) return;
+        }
+        compareHit(scene_, state.ray, reference::alphaKey(state.sample.id, bounce, kRayPath), hit, tolerance, f, hits_);
+    };
+    const auto rays = before_.queue(bounce, Queue::Ray), hit = now.queue(bounce, Queue::Hit),
+               missed = now.queue(bounce, Queue::Miss);
+    std::vector<std::uint32_t> sorted(hit.begin(), hit.end());
+    sorted.insert(sorted.end(), missed.begin(), missed.end());
+    compareQueue(f, "hit and miss queue", sorted, {rays.begin(), rays.end()});
+    for (const std::uint32_t path : hit) compare(path, true);
+    for (const std::uint32_t path : missed) compare(path, false);
+    compareUntouched(f, now, std::vector<bool>(now.batch.pathCount));
+}
+
+void StageWalk::miss(const StageSnapshot& now) {
+    Findings& f = of(Stage::Miss);
+    const std::uint32_t bounce = now.batch.bounce;
+    const auto where = scope(f, bounce);
+    std::vector<bool> touched(now.batch.pathCount);
+    for (const std::uint32_t path : before_.queue(bounce, Queue::Miss)) {
+        f.at(path);
+        touched[path] = true;
+        const reference::PathState state = paths_.stateOf(before_, path, bounce);
+        const Parts device = {{"contribution", added(now, path, bounce == 0)}};
+        compareParts(f, "miss", device, [&](Jitter* jitter) -> Parts {
+            return {contributionPart("contribution",
+                                     paths_.tracer().miss(jitter != nullptr ? jitter->near(state) : state))};
+        });
+        if (bounce > 0) continue;
+        const bool seen = params_.backgroundMode != kBackgroundTransparent;
+        f.equal("alpha", alphaOf(now, path), seen ? 1U : 0U);
+    }
+    compareUntouched(f, now, touched);
+}
+
+void StageWalk::shade(const StageSnapshot& now) {
+    Findings& f = of(Stage::Shade);
+    const std::uint32_t bounce = now.batch.bounce;
+    const auto where = scope(f, bounce);
+    const std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> shadowOf_(now.batch.pathCount, none);
+    for (std::uint32_t item = 0; item < now.queueSize(bounce, Queue::Shadow); ++item) {
+        const std::uint32_t path = shadowOf(now, item).path;
+        if (!f.holds("shadow items", path < now.batch.pathCount && shadowOf_[path] == none, "two of one path"))
+            continue;
+        shadowOf_[path] = item;
+    }
+    std::vector<bool> goesOn(now.batch.pathCount), touched(now.batch.pathCount);
+    for (const std::uint32_t path : now.queue(bounce + 1, Queue::Ray)) {
+        f.at(path);
+        if (f.holds("ray queue", path < goesOn.size() && !goesOn[path], "holds a path twice")) goesOn[path] = true;
+    }
+    for (const std::uint32_t path : before_.queue(bounce, Queue::Hit)) {
+        f.at(path);
+        touched[path] = true;
+        DeviceVertex vertex{added(now, path, bounce == 0), {}, {}};
+        if (shadowOf_[path] != none) vertex.direct = shadowOf(now, shadowOf_[path]).light;
+        if (goesOn[path]) vertex.next = paths_.stateOf(now, path, bounce + 1);
+        const reference::PathState state = paths_.stateOf(before_, path, bounce);
+        const reference::Hit hit = paths_.hitOf(before_, path);
+        compareParts(f, "shade", partsOf(vertex), [&](Jitter* jitter) {
+            return jitter != nullptr ? partsOf(paths_.tracer().shade(jitter->near(state), jitter->near(hit)))
+                                     : partsOf(paths_.tracer().shade(state, hit));
+        });
+        if (bounce == 0) f.equal("alpha", alphaOf(now, path), 1U);
+        shadowOf_[path] = none;
+        goesOn[path] = false;
+    }
+    for (std::uint32_t path = 0; path < now.batch.pathCount; ++path) {
+        f.at(path);
+        f.holds("other paths", shadowOf_[path] == none && !goesOn[path], "one that met nothing goes on");
+    }
+    compareUntouched(f, now, touched);
+}
+
+void StageWalk::shadow(const StageSnapshot& now) {
+    Findings& f = of(Stage::Shadow);
+    const std::uint32_t bounce = now.batch.bounce;
+    const auto where = scope(f, bounce);
+    std::vector<bool> touched(now.batch.pathCount);
+    for (std::uint32_t item = 0; item < before_.queueSize(bounce, Queue::Shadow); ++item) {
+        const auto [path, light] = shadowOf(before_, item);
+        f.at(path);
+        touched[path] = true;
+        FilmSums sums{};
+        if (!reference::addContribution(sums, light.contribution)) continue;
+        const PathSums whole = {U128{sums.red.x} | U128{sums.red.y} << 32U | U128{sums.red.z} << 64U,
+                                U128{sums.green.x} | U128{sums.green.y} << 32U | U128{sums.green.z} << 64U,
+                                U128{sums.blue.x} | U128{sums.blue.y} << 32U | U128{sums.blue.z} << 64U};
+        PathSums change = sumsOf(now, path);
+        const PathSums was = sumsOf(before_, path);
+        for (std::size_t c = 0; c < 3; ++c) change[c] -= was[c];
+        const bool arrived = change == whole;
+        if (!f.holds("sums", arrived || change == PathSums{}, "neither unchanged nor with the sample added")) continue;
+        if (whole == PathSums{}) continue;  // too faint for the film: whether it arrived cannot be seen
+        const reference::PathState state = paths_.stateOf(before_, path, bounce);
+        const auto parts = [](bool arrives) -> Parts {
+            if (!arrives) return {};
+            return {{"light that arrives", glm::dvec3(1)}};
+        };
+        compareParts(f, "shadow ray", parts(arrived), [&](Jitter* jitter) {
+            reference::DirectLight ray = light;
+            if (jitter != nullptr) ray.shadowRay = jitter->near(light.shadowRay);
+            reference::PathState at = state;
+            at.bounce = bounce;
+            return parts(!paths_.tracer().isOccluded(at, ray));
+        });
+    }
+    compareUntouched(f, now, touched);
+}
+
+void StageWalk::accumulate(const StageSnapshot& now, const std::vector<FilmSums>& film) {
+    Findings& f = of(Stage::Accumulate);
+    const auto where = scope(f, 0);
+    constexpr U128 kModulus = U128{1} << 96U;
+    const auto wide = [](const uvec4& w) { return U128{w.x} | U128{w.y} << 32U | U128{w.z} << 64U; };
+    std::vector<PathSums> expected(now.batch.pixelCount);
+    std::vector<std::uint32_t> alpha(now.batch.pixelCount);
+    for (std::uint32_t path = 0; path < now.batch.pathCount; ++path) {
+        const std::uint32_t pixel = placeOfSlot(now.batch, path).pixel - now.batch.firstPixel;
+        const PathSums sums = sumsOf(now, path);
+        for (std::size_t c = 0; c < 3; ++c) expected[pixel][c] = (expected[pixel][c] + sums[c]) % kModulus;
+        alpha[pixel] += alphaOf(now, path);
+    }
+    for (std::uint32_t pixel = 0; pixel < now.batch.pixelCount; ++pixel) {
+        f.at(std::size_t{pixel} * now.batch.sampleCount);
+        const FilmSums& sums = film[pixel];
+        f.holds("film", PathSums{wide(sums.red), wide(sums.green), wide(sums.blue)} == expected[pixel],
+                "is not the sum of its paths");
+        f.equal("alpha", sums.red.w, alpha[pixel]);
+    }
+    f.equal("refused contributions", now.counters[kRefusedCounter], 0U);
+}
+
+}  // namespace vkpt
