@@ -17,6 +17,8 @@ namespace {
 
 constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
 constexpr std::size_t kKeptMessages = 100;
+constexpr VkDebugUtilsMessageTypeFlagsEXT kLayerMessages =
+    VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT;
 
 void loadVulkan() {
     static const VkResult result = volkInitialize();
@@ -51,7 +53,7 @@ namespace {
 
 VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT types,
                                          const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
-    if (!(types & VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT)) {  // loader's and driver's remarks
+    if ((types & kLayerMessages) == 0) {  // loader's and driver's remarks
         spdlog::debug(fmt::format("Vulkan: {}", data->pMessage));
         return VK_FALSE;
     }
@@ -68,7 +70,7 @@ VkDebugUtilsMessengerCreateInfoEXT messengerInfo(MessageLog* log) {
     info.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT;
     info.messageSeverity =
         VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
-    info.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_TYPE_GENERAL_BIT_EXT;
+    info.messageType = kLayerMessages | VK_DEBUG_UTILS_MESSAGE_TYPE_GENERAL_BIT_EXT;
     info.pfnUserCallback = onMessage;
     info.pUserData = log;
     return info;
@@ -78,10 +80,10 @@ VkDebugUtilsMessengerCreateInfoEXT messengerInfo(MessageLog* log) {
 
 Instance::Instance(const InstanceOptions& options) : log_(std::make_unique<MessageLog>()) {
     loadVulkan();
-    debugUtils_ = hasInstanceExtension(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+    debugUtils_ = options.validation && hasInstanceExtension(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
     create(options);
     volkLoadInstance(instance_);
-    if (options.validation && debugUtils_) createMessenger();
+    if (debugUtils_) createMessenger();
 }
 
 void Instance::create(const InstanceOptions& options) {
