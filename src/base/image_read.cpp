@@ -28,9 +28,9 @@ std::vector<std::uint8_t> readBytes(const std::filesystem::path& file) {
 
 }  // namespace
 
-Image readImage(const std::filesystem::path& file) {
-    const std::vector<std::uint8_t> bytes = readBytes(file);
-    const std::string name = file.string();
+Image readImage(const std::filesystem::path& file) { return decodeImage(file.string(), readBytes(file)); }
+
+Image decodeImage(const std::string& name, std::span<const std::uint8_t> bytes) {
     const std::string_view start(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     if (start.starts_with("#?")) return decodeHdr(name, bytes);
     if (start.starts_with("\x76\x2f\x31\x01")) return decodeExr(name, bytes);

@@ -1,6 +1,9 @@
 // Reads images of any kind vkpt knows into floats.
 #pragma once
+#include <cstdint>
 #include <filesystem>
+#include <span>
+#include <string>
 
 #include "base/image.h"
 
@@ -16,5 +19,8 @@ namespace vkpt {
 /// Values are as stored: negative and non-finite ones too. Throws FileError for what is missing, broken, or of no kind
 /// above. Memory in use stays in proportion to the file's own size.
 [[nodiscard]] Image readImage(const std::filesystem::path& file);
+
+/// The same of bytes in memory, which errors call `name`.
+[[nodiscard]] Image decodeImage(const std::string& name, std::span<const std::uint8_t> bytes);
 
 }  // namespace vkpt

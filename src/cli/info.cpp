@@ -21,7 +21,7 @@ struct InfoCommand {
 
 ExitCode runInfo(const InfoCommand& c) {
     setUpLog(Verbosity::Quiet);
-    const Scene scene = importGltf(c.scene.file, ImportOptions{c.scene.sceneIndex});
+    const Scene scene = importGltf(c.scene.file, {c.scene.sceneIndex, c.scene.allowExternal});
     SceneArrays arrays = flatten(scene);
     buildBvh(arrays);
     const Json info = sceneInfo(scene, arrays);

@@ -2,11 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-
 #include "base/hash.h"
 #include "base/version.h"
-#include "gltf/document.h"
 
 namespace vkpt {
 namespace {
@@ -42,21 +39,6 @@ std::string rouletteText(const RenderParams& params) {
     }
 }
 
-/// Files that a .gltf names; a .glb is taken whole, data URIs are part of the file.
-void addReferencedFiles(ContentHash& hash, const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    const gltf::Json root = gltf::Json::parse(stream, nullptr, false);
-    if (!root.is_object()) return;
-    for (const char* section : {"buffers", "images"}) {
-        for (const gltf::Json& item : gltf::member(root, section)) {
-            const gltf::Json& uri = gltf::member(item, "uri");
-            if (!uri.is_string() || uri.get_ref<const std::string&>().starts_with("data:")) continue;
-            hash.addFile(
-                gltf::resolveUri(uri.get_ref<const std::string&>(), file.parent_path(), file.string(), section));
-        }
-    }
-}
-
 }  // namespace
 
 Json renderSettings(const PreparedScene& prepared) {
@@ -83,7 +65,7 @@ Json renderSettings(const PreparedScene& prepared) {
 std::string settingsHash(const PreparedScene& prepared) {
     ContentHash hash;
     hash.addFile(prepared.file);
-    if (prepared.file.extension() == ".gltf") addReferencedFiles(hash, prepared.file);
+    for (const std::filesystem::path& file : prepared.sceneFiles) hash.addFile(file);
     if (!prepared.envFile.empty()) hash.addFile(prepared.envFile);
     return hash.add(renderSettings(prepared).dump()).hex();
 }

@@ -60,6 +60,7 @@ void addSceneFile(CLI::App& app, SceneOptions& options, bool required) {
     app.add_option("SCENE", options.file, "glTF 2.0 file, .gltf or .glb")->required(required)->type_name("FILE");
     addParsed(app, "--scene", options.sceneIndex, numberWithin(0), "INDEX",
               "which scene of the file (default: the one it names)", kWhole);
+    app.add_flag("--allow-external", options.allowExternal, "let the scene refer to files outside its folder");
 }
 
 void addSceneOptions(CLI::App& app, SceneOptions& options) {

@@ -18,6 +18,7 @@ namespace vkpt {
 struct SceneOptions {
     std::filesystem::path file;
     int sceneIndex = -1;             ///< -1: the file's default scene
+    bool allowExternal = false;      ///< the scene may refer to files outside its folder
     std::optional<glm::uvec2> size;  ///< else `rows` rows: as wide as the camera of the file states, or 16:9
     float rows = 540;
     std::string camera;  ///< name or index; empty: the file's first, else framed

@@ -156,9 +156,10 @@ PreparedScene prepareScene(const SceneOptions& scene, const SamplingOptions& sam
     std::future<EnvironmentMap> environment;  // a large file is read while the scene is
     if (scene.environment.kind == EnvironmentKind::File)
         environment = std::async(std::launch::async, readEnvironment, scene.environment.file);
-    const Scene imported = importGltf(scene.file, ImportOptions{scene.sceneIndex});
+    const Scene imported = importGltf(scene.file, {scene.sceneIndex, scene.allowExternal});
     for (const std::string& warning : imported.warnings) spdlog::warn("{}", warning);
     clock.done("import");
+    prepared.sceneFiles = imported.files;
     prepared.arrays = flatten(imported);
     clock.done("flatten");
     setEnvironment(prepared, scene.environment, std::move(environment));

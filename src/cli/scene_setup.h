@@ -15,6 +15,7 @@ namespace vkpt {
 /// Everything one render needs, and what it came from.
 struct PreparedScene {
     std::filesystem::path file;
+    std::vector<std::filesystem::path> sceneFiles;  ///< buffers and images that it refers to
     int sceneIndex = -1;
     SceneArrays arrays;  ///< environment and BVH included
     RenderOptions options;

@@ -6,13 +6,16 @@
 #include <string>
 #include <type_traits>
 
+#include "gltf/model.h"
+
 namespace vkpt::gltf {
 namespace {
 
 // Accessors without bytes behind them are zeros: nothing in the file vouches for their count.
-constexpr std::size_t kMaxZeros = std::size_t{1} << 24;
+constexpr std::size_t kMostZeros = std::size_t{1} << 16;
 
 std::uint32_t componentCount(const Document& document, std::size_t index, int type) {
+    if (type == kUnknown) document.fail("accessors[{}].type: is none of glTF 2.0's", index);
     if (type >= TINYGLTF_TYPE_MAT2 && type <= TINYGLTF_TYPE_MAT4)
         document.fail("accessors[{}].type: MAT{} where a scalar or vector is needed", index,
                       type - TINYGLTF_TYPE_MAT2 + 2);
@@ -160,6 +163,7 @@ Accessor openAccessor(const Document& document, std::size_t index) {
     Accessor accessor;
     accessor.index = index;
     accessor.components = componentCount(document, index, source.type);
+    if (source.componentType == kUnknown) document.fail("{}.componentType: is none of glTF 2.0's", place);
     accessor.dense.count = source.count;
     accessor.dense.componentType = source.componentType;
     accessor.dense.normalized = source.normalized;
@@ -167,9 +171,9 @@ Accessor openAccessor(const Document& document, std::size_t index) {
     if (source.bufferView >= 0) {
         attach(document, place, accessor.dense, componentSize(accessor.dense.componentType) * accessor.components,
                static_cast<std::size_t>(source.bufferView), source.byteOffset);
-    } else if (accessor.count() > kMaxZeros) {
+    } else if (accessor.count() > kMostZeros) {
         document.fail("{}: states {} elements without a bufferView; at most {} are taken", place, accessor.count(),
-                      kMaxZeros);
+                      kMostZeros);
     }
     if (source.sparse.isSparse) {
         openSparse(document, place, source, accessor);

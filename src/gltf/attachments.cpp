@@ -20,16 +20,14 @@ Camera readCamera(const Document& document, int index) {
     Camera camera;
     if (source.type == "perspective") {
         camera.yfov = static_cast<float>(source.perspective.yfov);
-        if (!(camera.yfov > 0 && camera.yfov < kPi))
-            document.fail("cameras[{}].perspective.yfov: {} must lie between 0 and pi", index, camera.yfov);
+        if (!(camera.yfov < kPi))
+            document.fail("cameras[{}].perspective.yfov: {} must be less than pi", index, camera.yfov);
         const auto aspect = static_cast<float>(source.perspective.aspectRatio);
         if (aspect > 0) camera.aspect = aspect;
     } else {
         camera.orthographic = true;
         const float xmag = std::abs(static_cast<float>(source.orthographic.xmag));
         camera.ymag = std::abs(static_cast<float>(source.orthographic.ymag));
-        if (!(xmag > 0 && camera.ymag > 0))
-            document.fail("cameras[{}].orthographic: xmag and ymag must not be 0", index);
         camera.aspect = xmag / camera.ymag;
     }
     return camera;
@@ -42,15 +40,11 @@ PunctualLight readLight(const Document& document, int index) {
         light.kind = PunctualKind::Directional;
     else if (source.type == "spot")
         light.kind = PunctualKind::Spot;
-    else if (source.type != "point")
-        document.fail("extensions.KHR_lights_punctual.lights[{}].type: \"{}\" is none of point, spot, directional",
-                      index, source.type);
     if (!source.color.empty()) light.intensity = {source.color[0], source.color[1], source.color[2]};
-    light.intensity = glm::max(light.intensity * static_cast<float>(source.intensity), 0.0F);
-    light.range = std::max(static_cast<float>(source.range), 0.0F);
-    // Exporters write inner == outer for a hard edge, which the specification does not allow but means.
-    light.outerConeAngle = std::clamp(static_cast<float>(source.spot.outerConeAngle), 0.0F, kPi / 2);
-    light.innerConeAngle = std::clamp(static_cast<float>(source.spot.innerConeAngle), 0.0F, light.outerConeAngle);
+    light.intensity *= static_cast<float>(source.intensity);
+    light.range = static_cast<float>(source.range);
+    light.outerConeAngle = std::min(static_cast<float>(source.spot.outerConeAngle), kPi / 2);
+    light.innerConeAngle = std::min(static_cast<float>(source.spot.innerConeAngle), light.outerConeAngle);
     return light;
 }
 

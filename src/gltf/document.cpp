@@ -1,6 +1,8 @@
 // Opens a file: GLB container, JSON, model. [glTF 2.0, §4 (GLB)]
 #include "gltf/document.h"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstring>
 #include <fstream>
@@ -9,6 +11,7 @@
 
 #include "base/error.h"
 #include "gltf/model.h"
+#include "gltf/rules.h"
 #include "gltf/schema.h"
 
 namespace vkpt::gltf {
@@ -79,14 +82,24 @@ const Json& member(const Json& object, std::string_view key) {
     return found == object.end() ? kNull : *found;
 }
 
-Document::Document(const std::filesystem::path& file) : file_(file) {
-    const Bytes bytes = readFile(file, file.string(), "");
+Document::Document(std::span<const unsigned char> bytes, const std::filesystem::path& file, Reach reach)
+    : file_(file), reach_(reach) {
     GlbChunks chunks{bytes, {}};
     if (bytes.size() >= 4 && word(bytes, 0) == kGlbMagic) chunks = splitGlb(bytes, file.string());
-    model_ = loadModel(*this, parse(chunks.json), chunks.bin);
+    bin_ = chunks.bin;
+    Json root = parse(chunks.json);
+    for (Json& item : root["buffers"]) {
+        Buffer& buffer = buffers_.emplace_back();
+        buffer.length = item["byteLength"].get<std::size_t>();
+        if (item.contains("uri")) buffer.uri = std::move(item["uri"].get_ref<std::string&>());
+    }
+    model_ = loadModel(*this, root);
 }
 
-Json Document::parse(std::span<const unsigned char> text) const {
+Json Document::parse(std::span<const unsigned char> text) {
+    constexpr std::array<unsigned char, 3> kByteOrderMark{0xEF, 0xBB, 0xBF};
+    if (text.size() >= 3 && std::equal(kByteOrderMark.begin(), kByteOrderMark.end(), text.begin()))
+        fail("JSON: begins with a byte order mark; save it without");
     Json root;
     try {
         root = Json::parse(text.begin(), text.end());
@@ -96,6 +109,7 @@ Json Document::parse(std::span<const unsigned char> text) const {
         fail("JSON: {}", what.substr(what.find("] ") == std::string_view::npos ? 0 : what.find("] ") + 2));
     }
     checkSchema(root, file_.string());
+    warnings_ = checkRules(root, file_.string());
     const std::string version = member(member(root, "asset"), "version").get<std::string>();
     if (!version.starts_with("2.")) fail("asset.version: {} is not supported; vkpt reads glTF 2.0", version);
     const Json& minVersion = member(member(root, "asset"), "minVersion");
@@ -104,16 +118,54 @@ Json Document::parse(std::span<const unsigned char> text) const {
     return root;
 }
 
+void Document::load(std::size_t index, Buffer& buffer) const {
+    const std::string place = fmt::format("buffers[{}]", index);
+    if (buffer.uri) {
+        buffer.loaded = readUri(*buffer.uri, place);
+        buffer.bytes = buffer.loaded;
+    } else {
+        buffer.bytes = *bin_;
+    }
+    if (buffer.length > buffer.bytes.size())
+        fail("{}: states {} bytes, but its data holds {}", place, buffer.length, buffer.bytes.size());
+    buffer.bytes = buffer.bytes.first(buffer.length);
+    bytesLoaded_ += buffer.length;
+}
+
 std::span<const std::byte> Document::bufferView(std::size_t index) const {
     const tinygltf::BufferView& view = model_.bufferViews[index];
-    const Bytes& bytes = model_.buffers[view.buffer].data;
-    if (bytes.empty()) fail("buffers[{}]: has no data, but bufferViews[{}] reads it", view.buffer, index);
-    return std::as_bytes(std::span(bytes)).subspan(view.byteOffset, view.byteLength);
+    const auto number = static_cast<std::size_t>(view.buffer);
+    Buffer& buffer = buffers_[number];
+    if (view.byteOffset > buffer.length || view.byteLength > buffer.length - view.byteOffset)
+        fail("bufferViews[{}]: needs {} bytes at offset {}, but buffers[{}] holds {}", index, view.byteLength,
+             view.byteOffset, number, buffer.length);
+    if (!buffer.uri && !(number == 0 && bin_))
+        fail("buffers[{}]: has no data, but bufferViews[{}] reads it", number, index);
+    std::call_once(buffer.once, [&] { load(number, buffer); });
+    return std::as_bytes(buffer.bytes).subspan(view.byteOffset, view.byteLength);
 }
 
 Bytes Document::readUri(std::string_view uri, std::string_view place) const {
     if (uri.starts_with("data:")) return decodeDataUri(uri, file_.string(), place);
-    return readFile(resolveUri(uri, file_.parent_path(), file_.string(), place), file_.string(), place);
+    const std::filesystem::path file = resolveUri(uri, file_.parent_path(), reach_, file_.string(), place);
+    {
+        const std::lock_guard lock(filesMutex_);
+        files_.insert(file);
+    }
+    return readFile(file, file_.string(), place);
+}
+
+std::vector<std::filesystem::path> Document::filesRead() const {
+    const std::lock_guard lock(filesMutex_);
+    return {files_.begin(), files_.end()};
+}
+
+void Document::countElements(std::uint64_t elements) const {
+    constexpr std::uint64_t kFree = std::uint64_t{1} << 16;
+    const std::uint64_t taken = elementsTaken_ += elements;
+    if (taken > kFree + bytesLoaded_ * kMostElements)
+        fail("meshes: their primitives draw {} elements out of buffers of {} bytes: too often the same", taken,
+             bytesLoaded_.load());
 }
 
 void Document::throwFault(const std::string& fault) const { throw FileError(file_.string(), fault); }

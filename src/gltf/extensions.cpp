@@ -29,11 +29,12 @@ void reportExtensions(const Document& document, Scene& scene) {
         return std::find(names.begin(), names.end(), name) != names.end();
     };
     const std::vector<std::string>& required = document.model().extensionsRequired;
-    std::vector<std::string> names = document.model().extensionsUsed;
-    for (const std::string& name : required) {
+    std::vector<std::string> names;
+    for (const std::string& name : required)
         if (!isHonoured(name)) document.fail("extensionsRequired: needs {}, which vkpt does not support", name);
-        if (!holds(names, name)) names.push_back(name);
-    }
+    for (const auto* list : {&document.model().extensionsUsed, &required})
+        for (const std::string& name : *list)
+            if (!holds(names, name)) names.push_back(name);
     for (const std::string& name : names) {
         const bool honoured = isHonoured(name);
         scene.extensions.push_back({name, honoured ? "honoured" : "ignored", holds(required, name)});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "gltf/accessor.h"
@@ -17,6 +18,19 @@ namespace {
 struct VertexRange {
     std::size_t first = 0, count = 0;
 };
+
+template <typename V>
+bool isFiniteVector(const V& v) {
+    for (glm::length_t i = 0; i < V::length(); ++i)
+        if (!std::isfinite(v[i])) return false;
+    return true;
+}
+
+/// Float arithmetic can normalise it.
+bool hasDirection(const glm::vec3& v) {
+    const float squared = glm::dot(v, v);
+    return squared >= std::numeric_limits<float>::min() && squared <= std::numeric_limits<float>::max();
+}
 
 class PrimitiveReader {
 public:
@@ -34,8 +48,9 @@ private:
     [[nodiscard]] std::vector<V> attribute(const char* name, std::uint32_t components) const;
     void readAttributes(Primitive& primitive) const;
     void readColors(Primitive& primitive) const;
-    void checkPositions(const Primitive& primitive) const;
-    void zeroBadNumbers(std::vector<glm::vec2>& values, const char* name) const;
+    template <typename V, typename Usable>
+    void require(const std::vector<V>& values, const char* name, const char* fault, Usable&& usable) const;
+    void checkTextureCoordinates(const Primitive& primitive, const Material& material) const;
     void finishShading(Primitive& primitive, const Material& material) const;
 
     const Document& document_;
@@ -82,21 +97,23 @@ std::vector<std::uint32_t> PrimitiveReader::vertexOrder() const {
     return order;
 }
 
+/// Names the first value that is not usable.
+template <typename V, typename Usable>
+void PrimitiveReader::require(const std::vector<V>& values, const char* name, const char* fault,
+                              Usable&& usable) const {
+    const auto bad = std::find_if_not(values.begin(), values.end(), usable);
+    if (bad != values.end())
+        document_.fail("{}.attributes.{}: accessors[{}][{}] {}", place_, name, source_.attributes.at(name),
+                       range_.first + static_cast<std::size_t>(bad - values.begin()), fault);
+}
+
 template <typename V>
 std::vector<V> PrimitiveReader::attribute(const char* name, std::uint32_t components) const {
     const auto accessor = openAttribute(name, components, components);
-    return accessor ? readVectors<V>(*accessor, range_.first, range_.count) : std::vector<V>();
-}
-
-void PrimitiveReader::zeroBadNumbers(std::vector<glm::vec2>& values, const char* name) const {
-    std::size_t bad = 0;
-    for (glm::vec2& v : values) {
-        if (std::isfinite(v.x) && std::isfinite(v.y)) continue;
-        v = glm::vec2(0);
-        ++bad;
-    }
-    if (bad > 0)
-        warnings_.push_back(fmt::format("{}.attributes.{}: {} values are not finite; taken as 0", place_, name, bad));
+    if (!accessor) return {};
+    std::vector<V> values = readVectors<V>(*accessor, range_.first, range_.count);
+    require(values, name, "is not finite", isFiniteVector<V>);
+    return values;
 }
 
 /// COLOR_0: integers are normalised even where the file forgets to say so, since no others are allowed.
@@ -111,45 +128,36 @@ void PrimitiveReader::readColors(Primitive& primitive) const {
         primitive.colors.reserve(rgb.size());
         for (const glm::vec3& c : rgb) primitive.colors.emplace_back(c, 1.0F);
     }
-    // Written so that NaN becomes 0.
-    const auto clampUnit = [](float x) { return x > 0 ? std::min(x, 1.0F) : 0.0F; };
-    for (glm::vec4& c : primitive.colors) c = {clampUnit(c.r), clampUnit(c.g), clampUnit(c.b), clampUnit(c.a)};
+    require(primitive.colors, "COLOR_0", "is not finite", isFiniteVector<glm::vec4>);
+    for (glm::vec4& c : primitive.colors) c = glm::clamp(c, 0.0F, 1.0F);
 }
 
 void PrimitiveReader::readAttributes(Primitive& primitive) const {
-    primitive.positions = readVectors<glm::vec3>(*positions_, range_.first, range_.count);
-    checkPositions(primitive);
+    primitive.positions = attribute<glm::vec3>("POSITION", 3);
     primitive.normals = attribute<glm::vec3>("NORMAL", 3);
-    primitive.tangents = attribute<glm::vec4>("TANGENT", 4);
+    require(primitive.normals, "NORMAL", "has no direction", hasDirection);
+    for (glm::vec3& normal : primitive.normals) normal = glm::normalize(normal);
     primitive.uv0 = attribute<glm::vec2>("TEXCOORD_0", 2);
     primitive.uv1 = attribute<glm::vec2>("TEXCOORD_1", 2);
-    zeroBadNumbers(primitive.uv0, "TEXCOORD_0");
-    zeroBadNumbers(primitive.uv1, "TEXCOORD_1");
     readColors(primitive);
 }
 
-void PrimitiveReader::checkPositions(const Primitive& primitive) const {
-    for (std::size_t i = 0; i < primitive.positions.size(); ++i) {
-        const glm::vec3& p = primitive.positions[i];
-        if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-            document_.fail("{}.attributes.POSITION: accessors[{}][{}] is not finite", place_, positions_->index,
-                           range_.first + i);
-    }
+/// Every texture of the material finds the coordinates that it is read at.
+void PrimitiveReader::checkTextureCoordinates(const Primitive& primitive, const Material& material) const {
+    for (const TextureUse* use : {&material.baseColorTexture, &material.metallicRoughnessTexture,
+                                  &material.normalTexture, &material.emissiveTexture})
+        if (use->image >= 0 && (use->uvSet == 0 ? primitive.uv0 : primitive.uv1).empty())
+            document_.fail("{}: has no TEXCOORD_{}, which materials[{}] reads", place_, use->uvSet, source_.material);
 }
 
 void PrimitiveReader::finishShading(Primitive& primitive, const Material& material) const {
-    if (primitive.normals.empty()) {
-        makeFlat(primitive);
-    } else if (const std::size_t bad = repairNormals(primitive); bad > 0) {
-        warnings_.push_back(fmt::format("{}.attributes.NORMAL: {} normals have no direction; made anew", place_, bad));
-    }
-    if (material.normalTexture.image < 0) {
-        primitive.tangents.clear();
-        return;
-    }
-    if (!primitive.tangents.empty() && !tangentsAreUsable(primitive.tangents)) {
-        warnings_.push_back(fmt::format("{}.attributes.TANGENT: some have no direction; all made anew", place_));
-        primitive.tangents.clear();
+    const bool flat = primitive.normals.empty();
+    if (flat) makeFlat(primitive);
+    if (material.normalTexture.image < 0) return;
+    if (!flat) {  // tangents without normals would belong to other ones [glTF 2.0, §3.7.2.1]
+        primitive.tangents = attribute<glm::vec4>("TANGENT", 4);
+        require(primitive.tangents, "TANGENT", "has no direction", hasDirection);
+        require(primitive.tangents, "TANGENT", "has no handedness", [](const glm::vec4& t) { return t.w != 0; });
     }
     if (primitive.tangents.empty()) makeTangents(primitive, material.normalTexture.uvSet);
 }
@@ -179,8 +187,10 @@ std::optional<Primitive> PrimitiveReader::read(const Material& material, Skipped
 
     const auto [low, high] = std::minmax_element(order.begin(), order.end());
     range_ = {*low, std::size_t{*high} - *low + 1};
+    document_.countElements(range_.count + order.size());
     for (glm::uvec3& t : primitive.triangles) t -= glm::uvec3(*low);
     readAttributes(primitive);
+    checkTextureCoordinates(primitive, material);
     finishShading(primitive, material);
     return primitive;
 }

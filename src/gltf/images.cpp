@@ -16,8 +16,10 @@ bool startsWith(std::span<const std::byte> bytes, std::initializer_list<unsigned
 TextureImage loadImage(const Document& document, std::size_t index, std::vector<std::string>& warnings) {
     const tinygltf::Image& encoded = document.model().images[index];
     const std::string place = fmt::format("images[{}]", index);
-    const Bytes loaded = encoded.as_is ? Bytes() : document.readUri(encoded.uri, place);
-    const auto bytes = std::as_bytes(std::span(encoded.as_is ? encoded.image : loaded));
+    const bool inView = encoded.bufferView >= 0;
+    const Bytes loaded = inView ? Bytes() : document.readUri(encoded.uri, place);
+    const auto bytes =
+        inView ? document.bufferView(static_cast<std::size_t>(encoded.bufferView)) : std::as_bytes(std::span(loaded));
 
     // The bytes decide, not mimeType: files in the wild mislabel.
     TextureImage image;

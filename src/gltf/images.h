@@ -9,8 +9,7 @@
 
 namespace vkpt::gltf {
 
-/// Decodes images[index] of the file. Throws FileError where its bytes are missing, no PNG or JPEG, or broken;
-/// a JPEG with harmless damage is shown as far as it goes, with a warning.
+/// Decodes images[index] of the file. Throws FileError where its bytes are missing, no PNG or JPEG, or broken.
 [[nodiscard]] TextureImage loadImage(const Document& document, std::size_t index, std::vector<std::string>& warnings);
 
 /// Colours stay as stored (no gamma, no colour profile: glTF ignores both); grey and palette images become RGB;

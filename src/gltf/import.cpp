@@ -125,11 +125,18 @@ void Importer::readGeometryAndImages() {
 }  // namespace
 
 Scene importGltf(const std::filesystem::path& file, const ImportOptions& options) {
-    const Document document(file);
+    return importGltf(readFile(file, file.string(), ""), file, options);
+}
+
+Scene importGltf(std::span<const unsigned char> bytes, const std::filesystem::path& file,
+                 const ImportOptions& options) {
+    const Document document(bytes, file, options.allowExternal ? Reach::Anywhere : Reach::Folder);
     Scene scene;
     scene.path = file;
+    scene.warnings = document.warnings();
     reportExtensions(document, scene);
     Importer(document, scene).run(placeNodes(document, options.scene, scene.warnings));
+    scene.files = document.filesRead();
     return scene;
 }
 

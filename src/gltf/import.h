@@ -1,13 +1,15 @@
 // glTF 2.0 file -> Scene.
 #pragma once
 #include <filesystem>
+#include <span>
 
 #include "scene/scene.h"
 
 namespace vkpt {
 
 struct ImportOptions {
-    int scene = -1;  ///< index into the file's scenes; -1: its default scene, else its first
+    int scene = -1;              ///< index into the file's scenes; -1: its default scene, else its first
+    bool allowExternal = false;  ///< buffers and images may lie outside the scene's folder
 };
 
 /// Reads a .gltf or .glb file with its buffers and images. [glTF 2.0]
@@ -17,5 +19,9 @@ struct ImportOptions {
 /// Throws FileError, naming the place in the file, where the file is missing, malformed or needs an extension that
 /// vkpt does not support. Lesser faults become Scene::warnings.
 [[nodiscard]] Scene importGltf(const std::filesystem::path& file, const ImportOptions& options = {});
+
+/// The same of bytes in memory. Errors call them `file`, in whose folder their URIs begin.
+[[nodiscard]] Scene importGltf(std::span<const unsigned char> bytes, const std::filesystem::path& file,
+                               const ImportOptions& options = {});
 
 }  // namespace vkpt

@@ -7,6 +7,8 @@
 #include <vector>
 // jpeglib.h needs the three above.
 #include <jpeglib.h>
+// and this one jpeglib.h
+#include <jerror.h>
 
 #include "gltf/images.h"
 
@@ -15,6 +17,23 @@ namespace {
 
 // Progressive files may repeat scans without end; honest encoders write about ten.
 constexpr int kMaxScans = 200;
+// A block of 64 pixels takes a bit at the very least (arithmetic coding apart, which no exporter writes).
+constexpr std::uint64_t kMostPixelsPerByte = 1024;
+
+/// What libjpeg only warns of although pixels are missing or wrong.
+bool losesPixels(int message) {
+    switch (message) {
+        case JWRN_ARITH_BAD_CODE:
+        case JWRN_HIT_MARKER:
+        case JWRN_HUFF_BAD_CODE:
+        case JWRN_JPEG_EOF:
+        case JWRN_MUST_RESYNC:
+        case JWRN_NOT_SEQUENTIAL:
+            return true;
+        default:
+            return false;
+    }
+}
 
 /// A decompressor whose errors come back as `false` from step().
 class JpegReader {
@@ -22,7 +41,7 @@ public:
     JpegReader() {
         info_.err = jpeg_std_error(&errors_);
         errors_.error_exit = onError;
-        errors_.output_message = [](j_common_ptr) {};
+        errors_.emit_message = onMessage;
         info_.client_data = this;
         jpeg_create_decompress(&info_);
         progress_.progress_monitor = onProgress;
@@ -52,6 +71,13 @@ public:
 
 private:
     static void onError(j_common_ptr common) { std::longjmp(static_cast<JpegReader*>(common->client_data)->jump_, 1); }
+
+    static void onMessage(j_common_ptr common, int level) {
+        if (level >= 0) return;  // a trace
+        auto* self = static_cast<JpegReader*>(common->client_data);
+        if (losesPixels(self->errors_.msg_code)) onError(common);
+        ++self->errors_.num_warnings;
+    }
 
     static void onProgress(j_common_ptr common) {
         auto* self = static_cast<JpegReader*>(common->client_data);
@@ -111,6 +137,11 @@ TextureImage decodeJpeg(std::span<const std::byte> bytes, std::string& fault) {
         fault = fmt::format("JPEG of {}x{} pixels is too large", info.image_width, info.image_height);
         return {};
     }
+    if (pixels > bytes.size() * kMostPixelsPerByte) {
+        fault = fmt::format("JPEG of {}x{} pixels in {} bytes is not believable", info.image_width, info.image_height,
+                            bytes.size());
+        return {};
+    }
     const bool cmyk = info.jpeg_color_space == JCS_CMYK || info.jpeg_color_space == JCS_YCCK;
     info.out_color_space = cmyk ? JCS_CMYK : JCS_EXT_RGBA;
     if (!reader.step([](jpeg_decompress_struct& d) { jpeg_start_decompress(&d); })) return broken();
@@ -121,7 +152,7 @@ TextureImage decodeJpeg(std::span<const std::byte> bytes, std::string& fault) {
                        .texels = std::vector<std::uint32_t>(pixels)};
     if (!readRows(reader, image)) return broken();
     if (cmyk) cmykToRgb(image, info.saw_Adobe_marker);
-    if (reader.warnings() > 0) fault = "damaged JPEG: " + reader.message();
+    if (reader.warnings() > 0) fault = "JPEG: " + reader.message();
     return image;
 }
 

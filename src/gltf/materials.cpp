@@ -25,8 +25,6 @@ glm::vec2 vectorOr(const tinygltf::Value& object, const std::string& key, glm::v
     return {v.Get(0).GetNumberAsDouble(), v.Get(1).GetNumberAsDouble()};
 }
 
-float unit(double value) { return std::clamp(static_cast<float>(value), 0.0F, 1.0F); }
-
 Wrap wrapMode(const Document& document, int sampler, const char* key, int mode) {
     switch (mode) {
         case TINYGLTF_TEXTURE_WRAP_REPEAT:
@@ -101,15 +99,15 @@ Material readMaterial(const Document& document, std::size_t index, std::vector<s
     const std::string place = fmt::format("materials[{}]", index);
     Material material;
     material.name = source.name;
-    material.baseColor = glm::clamp(toVector<4>(pbr.baseColorFactor), 0.0F, 1.0F);
-    material.metallic = unit(pbr.metallicFactor);
-    material.roughness = unit(pbr.roughnessFactor);
+    material.baseColor = toVector<4>(pbr.baseColorFactor);
+    material.metallic = static_cast<float>(pbr.metallicFactor);
+    material.roughness = static_cast<float>(pbr.roughnessFactor);
     const double strength =
         numberOr(extension(source.extensions, "KHR_materials_emissive_strength"), "emissiveStrength", 1);
-    material.emissive = glm::max(toVector<3>(source.emissiveFactor) * static_cast<float>(strength), 0.0F);
+    material.emissive = toVector<3>(source.emissiveFactor) * static_cast<float>(strength);
     material.normalScale = static_cast<float>(source.normalTexture.scale);
     material.alphaMode = alphaMode(document, place, source.alphaMode);
-    material.alphaCutoff = std::max(static_cast<float>(source.alphaCutoff), 0.0F);
+    material.alphaCutoff = static_cast<float>(source.alphaCutoff);
     material.doubleSided = source.doubleSided;
     material.unlit = source.extensions.contains("KHR_materials_unlit");
 

@@ -1,17 +1,14 @@
 // Checked JSON -> tinygltf's model.
 #pragma once
-#include <optional>
-#include <span>
-
 #include "gltf/document.h"
 
 namespace vkpt::gltf {
 
-/// Loads the model with its buffers; images in buffer views keep their encoded bytes, others only their uri. `root` has
-/// passed the schema; `bin` is the GLB's binary chunk. Throws FileError where buffers or views lack bytes, or where a
-/// type or a camera is none that glTF knows.
-[[nodiscard]] tinygltf::Model loadModel(const Document& document, const Json& root,
-                                        std::optional<std::span<const unsigned char>> bin);
+/// type or componentType of an accessor that is none of glTF 2.0's.
+inline constexpr int kUnknown = -1;
+
+/// The model without any bytes: buffers and images are the document's own. `root` has passed the schema.
+[[nodiscard]] tinygltf::Model loadModel(const Document& document, const Json& root);
 
 /// `object[key]` of an extension, or `fallback`.
 [[nodiscard]] double numberOr(const tinygltf::Value& object, const std::string& key, double fallback);

@@ -16,8 +16,7 @@ glm::dvec3 vectorOr(const std::vector<double>& v, double fallback) {
 glm::dquat rotationOf(const tinygltf::Node& node) {
     if (node.rotation.empty()) return {1, 0, 0, 0};
     const auto& r = node.rotation;
-    const glm::dquat q(r[3], r[0], r[1], r[2]);
-    return glm::dot(q, q) > 0 ? glm::normalize(q) : glm::dquat(1, 0, 0, 0);
+    return glm::normalize(glm::dquat(r[3], r[0], r[1], r[2]));
 }
 
 /// The node's matrix, or translation * rotation * scale. [glTF 2.0, §3.5.3]

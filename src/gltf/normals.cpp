@@ -11,14 +11,12 @@ glm::dvec3 areaVector(const std::vector<glm::vec3>& positions, const glm::uvec3&
     return glm::cross(b - a, c - a);
 }
 
+// A direction for what has none: any unit vector serves.
+constexpr glm::vec3 kAnyNormal{0, 0, 1};
+
 glm::vec3 unitOrAny(const glm::dvec3& v) {
     const double length = glm::length(v);
     return length > 0 && std::isfinite(length) ? glm::vec3(v / length) : kAnyNormal;
-}
-
-bool isUsable(const glm::vec3& normal) {
-    const float squared = glm::dot(normal, normal);
-    return squared > 0 && std::isfinite(squared);
 }
 
 template <typename T>
@@ -38,7 +36,6 @@ void makeFlat(Primitive& primitive) {
     unshare(primitive.uv0, primitive.triangles);
     unshare(primitive.uv1, primitive.triangles);
     unshare(primitive.colors, primitive.triangles);
-    primitive.tangents.clear();
     primitive.normals.resize(primitive.positions.size());
     for (std::size_t i = 0; i < primitive.triangles.size(); ++i) {
         const auto first = static_cast<std::uint32_t>(3 * i);
@@ -46,25 +43,6 @@ void makeFlat(Primitive& primitive) {
         const glm::vec3 normal = unitOrAny(areaVector(primitive.positions, primitive.triangles[i]));
         for (std::size_t c = 0; c < 3; ++c) primitive.normals[first + c] = normal;
     }
-}
-
-std::size_t repairNormals(Primitive& primitive) {
-    std::size_t bad = 0;
-    for (glm::vec3& normal : primitive.normals) {
-        if (isUsable(normal)) {
-            normal = glm::normalize(normal);
-        } else {
-            normal = glm::vec3(0);
-            ++bad;
-        }
-    }
-    if (bad == 0) return 0;
-    std::vector<glm::dvec3> sums(primitive.positions.size(), glm::dvec3(0));
-    for (const glm::uvec3& t : primitive.triangles)
-        for (glm::length_t c = 0; c < 3; ++c) sums[t[c]] += areaVector(primitive.positions, t);
-    for (std::size_t i = 0; i < sums.size(); ++i)
-        if (primitive.normals[i] == glm::vec3(0)) primitive.normals[i] = unitOrAny(sums[i]);
-    return bad;
 }
 
 }  // namespace vkpt::gltf

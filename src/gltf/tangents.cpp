@@ -236,13 +236,6 @@ void assign(Primitive& primitive, const std::vector<glm::vec4>& byCorner) {
 
 }  // namespace
 
-bool tangentsAreUsable(const std::vector<glm::vec4>& tangents) {
-    return std::all_of(tangents.begin(), tangents.end(), [](const glm::vec4& t) {
-        const float squared = glm::dot(glm::vec3(t), glm::vec3(t));
-        return squared > 0 && std::isfinite(squared) && t.w != 0 && std::isfinite(t.w);
-    });
-}
-
 void makeTangents(Primitive& primitive, std::uint32_t uvSet) {
     const std::vector<glm::vec2>& stored = uvSet == 0 ? primitive.uv0 : primitive.uv1;
     const std::vector<glm::vec2> none(stored.empty() ? primitive.positions.size() : 0, glm::vec2(0));

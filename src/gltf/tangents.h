@@ -7,9 +7,6 @@
 
 namespace vkpt::gltf {
 
-/// True where every tangent has a direction.
-[[nodiscard]] bool tangentsAreUsable(const std::vector<glm::vec4>& tangents);
-
 /// Makes tangents in MikkTSpace's sense from positions, normals and texture coordinates `uvSet`. Vertices that are
 /// equal in all three count as one; around it, triangles that share an edge and the same handedness average their
 /// tangents, weighted by the corner's angle in the normal's tangent plane. Vertices that then need several tangents are

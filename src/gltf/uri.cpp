@@ -1,4 +1,5 @@
 // URIs of glTF files: relative references and embedded data.
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 
@@ -38,21 +39,43 @@ bool hasScheme(std::string_view uri) {
     return true;
 }
 
+// file:///a/b, file:/a/b and file://localhost/a/b name /a/b. [RFC 8089]
+std::string_view withoutFileScheme(std::string_view uri) {
+    constexpr std::string_view kFile = "file:";
+    const auto same = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; };
+    const std::string_view scheme = uri.substr(0, kFile.size());
+    if (!std::equal(scheme.begin(), scheme.end(), kFile.begin(), kFile.end(), same)) return uri;
+    const std::string_view path = uri.substr(kFile.size());
+    return path.starts_with("//") ? path.substr(std::min(path.find('/', 2), path.size())) : path;
+}
+
+// Whether `file`, its links followed, lies below `folder`.
+bool isBelow(const std::filesystem::path& file, const std::filesystem::path& folder) {
+    std::error_code error, folderError;
+    const auto real = std::filesystem::weakly_canonical(file, error);
+    const auto where = std::filesystem::weakly_canonical(folder.empty() ? "." : folder, folderError);
+    const auto relative = std::filesystem::absolute(real).lexically_relative(std::filesystem::absolute(where));
+    return !error && !folderError && !relative.empty() && *relative.begin() != "..";
+}
+
 }  // namespace
 
-std::filesystem::path resolveUri(std::string_view uri, const std::filesystem::path& folder, const std::string& blamed,
-                                 std::string_view place) {
+std::filesystem::path resolveUri(std::string_view uri, const std::filesystem::path& folder, Reach reach,
+                                 const std::string& blamed, std::string_view place) {
     const auto refuse = [&](std::string_view reason) {
         throw FileError(blamed, fmt::format("{}: uri \"{}\" {}", place, shown(uri), reason));
     };
-    if (hasScheme(uri)) refuse("is not relative; only files in the scene's folder are read");
-    const std::string text = percentDecode(uri);
+    const bool anywhere = reach == Reach::Anywhere;
+    const std::string_view path = withoutFileScheme(uri);
+    if (hasScheme(path)) refuse("is no file; fetch it and refer to the copy");
+    if (!anywhere && path.size() != uri.size()) refuse("is not relative; --allow-external lets it be read");
+    const std::string text = percentDecode(path);
     if (text.empty()) refuse("is empty");
     if (text.find('\0') != std::string::npos) refuse("holds a zero byte");
-    const std::filesystem::path relative = std::filesystem::path(text).lexically_normal();
-    if (relative.is_absolute() || *relative.begin() == "..")
-        refuse("leaves the scene's folder; only files inside it are read");
-    return folder / relative;
+    const std::filesystem::path relative(text), file = (folder / relative).lexically_normal();
+    if (!anywhere && (relative.is_absolute() || !isBelow(file, folder)))
+        refuse("leaves the scene's folder; --allow-external lets it be read");
+    return file;
 }
 
 Bytes decodeDataUri(std::string_view uri, const std::string& blamed, std::string_view place) {

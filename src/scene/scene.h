@@ -96,6 +96,7 @@ struct ExtensionUse {
 
 struct Scene {
     std::filesystem::path path;
+    std::vector<std::filesystem::path> files;  ///< what else was read, sorted: buffers and images outside `path`
     std::vector<TextureImage> images;
     std::vector<Material> materials;  ///< at least one: glTF's default material comes last if it is used
     std::vector<Mesh> meshes;

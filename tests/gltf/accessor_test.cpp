@@ -181,7 +181,7 @@ TEST(Accessor, MustFitItsView) {
     EXPECT_THAT(fault({{"byteOffset", 9007199254740000ULL}}), HasSubstr("bufferViews[0] holds 36"));
     EXPECT_THAT(fault({{"count", 9007199254740000ULL}}), HasSubstr("bufferViews[0] holds 36"));
     EXPECT_THAT(fault({{"count", 4000000000U}, {"bufferView", nullptr}}), HasSubstr("without a bufferView"));
-    EXPECT_THAT(fault({{"componentType", 5124}}), HasSubstr("accessors[0].componentType: 5124"));
+    EXPECT_THAT(fault({{"componentType", 5124}}), HasSubstr("accessors[0].componentType: is none of glTF 2.0's"));
     EXPECT_THAT(fault({{"componentType", 5125}}), HasSubstr("32-bit integers"));
     EXPECT_THAT(fault({{"type", "MAT3"}}), HasSubstr("accessors[0].type: MAT3"));
     EXPECT_THAT(fault({{"type", "VEC2"}}), HasSubstr("has 2 components, not 3"));

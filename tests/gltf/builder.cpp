@@ -40,7 +40,10 @@ Json& Builder::triangle() { return primitive({{"POSITION", vec3({0, 0, 0, 1, 0, 
 void Builder::textured(Json image) {
     const int texture = push("textures", {{"source", push("images", std::move(image))}});
     const int material = push("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", texture}}}}}});
-    json["meshes"].back()["primitives"].back()["material"] = material;
+    Json& primitive = json["meshes"].back()["primitives"].back();
+    primitive["material"] = material;
+    if (!primitive["attributes"].contains("TEXCOORD_0"))
+        primitive["attributes"]["TEXCOORD_0"] = vec2({0, 1, 1, 1, 0, 0});
 }
 
 ByteVector Builder::glb() const {

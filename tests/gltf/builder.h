@@ -38,6 +38,10 @@ class Builder {
 public:
     Json json = {{"asset", {{"version", "2.0"}}}};
 
+    Builder() = default;
+    /// Of a file that has one buffer, `bytes`.
+    Builder(Json file, ByteVector bytes) : json(std::move(file)), bytes_(std::move(bytes)) {}
+
     /// Appends to the binary buffer, aligned to 4; returns the index of the new bufferView.
     int view(const void* data, std::size_t bytes, int stride = 0);
     template <typename T>
@@ -63,7 +67,8 @@ public:
     Json& primitive(Json attributes);
     /// `primitive` of the triangle (0,0,0), (1,0,0), (0,1,0).
     Json& triangle();
-    /// A material with one base colour texture from `image`, for the last primitive.
+    /// A material with one base colour texture from `image`, for the last primitive; TEXCOORD_0 for its three vertices
+    /// where it has none.
     void textured(Json image);
 
     [[nodiscard]] ByteVector glb() const;

@@ -73,6 +73,43 @@ TEST_F(DocumentTest, RefusesUrisThatLeaveTheFolder) {
     }
 }
 
+TEST_F(DocumentTest, LinksCountWhereTheyLead) {
+    namespace fs = std::filesystem;
+    const TemporaryFolder elsewhere;
+    folder.write("here/x.bin", builder.bytes());
+    fs::create_symlink(elsewhere.write("x.bin", builder.bytes()), folder / "file.bin");
+    fs::create_directory_symlink(elsewhere.path(), folder / "out");
+    fs::create_directory_symlink(folder / "here", folder / "in");
+    EXPECT_THAT(faultOfUri("file.bin"), HasSubstr("buffers[0]: uri \"file.bin\" leaves the scene's folder"));
+    EXPECT_THAT(faultOfUri("out/x.bin"), HasSubstr("leaves the scene's folder"));
+    EXPECT_THAT(faultOfUri("in/../out/x.bin"), HasSubstr("leaves the scene's folder"));
+    EXPECT_EQ(triangleCount(importGltf(folder.write("a.gltf", withBufferUri(builder, "in/x.bin")))), 1U);
+}
+
+TEST_F(DocumentTest, AllowExternalReadsAnyFileButFetchesNone) {
+    const TemporaryFolder elsewhere;
+    const std::string outside = elsewhere.write("a b.bin", builder.bytes()).string();
+    std::filesystem::create_symlink(outside, folder / "link.bin");
+    const std::string up = "../" + elsewhere.path().filename().string() + "/a%20b.bin";
+    for (const std::string& uri : {outside, up, std::string("link.bin"), "file://" + outside, "FILE:" + outside,
+                                   "file://localhost" + elsewhere.path().string() + "/a%20b.bin"}) {
+        SCOPED_TRACE(uri);
+        EXPECT_FALSE(faultOfUri(uri).empty());
+        const auto file = folder.write("a.gltf", withBufferUri(builder, uri));
+        EXPECT_EQ(triangleCount(importGltf(file, {.allowExternal = true})), 1U);
+    }
+    const auto fetched = folder.write("b.gltf", withBufferUri(builder, "http://example.com/x.bin"));
+    EXPECT_THAT(faultOf([&] { (void)importGltf(fetched, {.allowExternal = true}); }),
+                HasSubstr("is no file; fetch it"));
+}
+
+TEST_F(DocumentTest, ListsTheFilesItRead) {
+    folder.write("x.bin", builder.bytes());
+    const Scene scene = importGltf(folder.write("a.gltf", withBufferUri(builder, "x.bin")));
+    EXPECT_THAT(scene.files, testing::ElementsAre(folder / "x.bin"));
+    EXPECT_TRUE(builder.import().files.empty());
+}
+
 TEST_F(DocumentTest, NamesWhatIsMissing) {
     EXPECT_THAT(faultOf([&] { (void)importGltf(folder.path() / "none.gltf"); }), HasSubstr("none.gltf: no such file"));
     EXPECT_THAT(faultOf([&] { (void)importGltf(folder.path()); }), HasSubstr("is not a file"));
@@ -103,8 +140,17 @@ TEST_F(DocumentTest, BuffersWithoutDataAreFaultsOnlyWhereTheyAreRead) {
     builder.json["nodes"][0].erase("mesh");
     EXPECT_TRUE(importGltf(folder.write("b.gltf", builder.json.dump())).meshes.empty());
     builder.json["images"] = {{{"bufferView", 0}, {"mimeType", "image/png"}}};
-    const auto image = folder.write("c.gltf", builder.json.dump());
-    EXPECT_THAT(faultOf([&] { (void)importGltf(image); }), HasSubstr("buffers[0]: has no data"));
+    EXPECT_TRUE(importGltf(folder.write("c.gltf", builder.json.dump())).images.empty());
+}
+
+TEST_F(DocumentTest, FilesThatNothingReadsMayBeMissing) {
+    builder.json["images"] = {{{"uri", "gone.png"}}, {{"uri", "http://example.com/a.png"}}};
+    Json file = Json::parse(builder.text());
+    file["buffers"].push_back({{"byteLength", 4}, {"uri", "../gone.bin"}});
+    file["bufferViews"].push_back({{"buffer", 1}, {"byteLength", 4}});
+    file["accessors"].push_back(
+        {{"bufferView", 1}, {"componentType", 5126}, {"type", "LATER"}, {"count", 1}, {"byteOffset", 9}});
+    EXPECT_EQ(triangleCount(importGltf(folder.write("a.gltf", file.dump()))), 1U);
 }
 
 TEST_F(DocumentTest, EveryTruncationOfAGlbIsRefused) {
@@ -124,6 +170,11 @@ TEST_F(DocumentTest, RefusesBrokenGlbHeaders) {
     bytes = builder.glb();
     bytes[16] = 'j';
     EXPECT_THAT(faultOfBytes(bytes), HasSubstr("first chunk is not JSON"));
+}
+
+TEST_F(DocumentTest, RefusesAByteOrderMark) {
+    EXPECT_THAT(faultOf([&] { (void)importGltf(folder.write("a.gltf", "\xEF\xBB\xBF" + builder.text())); }),
+                HasSubstr("JSON: begins with a byte order mark"));
 }
 
 TEST_F(DocumentTest, RefusesWhatIsNoJson) {
@@ -160,6 +211,33 @@ TEST_F(DocumentTest, SchemaFaultsNameTheirPlace) {
                 HasSubstr("accessors[0].count: must be an integer from 1 up"));
     EXPECT_THAT(fault({{"meshes", {{{"primitives", Json::array()}}}}}),
                 HasSubstr("meshes[0].primitives: must not be empty"));
+}
+
+TEST_F(DocumentTest, NumbersOutOfRangeNameTheirPlace) {
+    const auto fault = [](const Json& patch) {
+        Builder b;
+        b.triangle();
+        b.json["materials"] = {Json::object()};
+        b.json["materials"][0].merge_patch(patch);
+        return faultOf(b);
+    };
+    EXPECT_THAT(fault({{"pbrMetallicRoughness", {{"metallicFactor", 1.5}}}}),
+                HasSubstr("materials[0].pbrMetallicRoughness.metallicFactor: 1.5 is not between 0 and 1"));
+    EXPECT_THAT(fault({{"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, -1, 1}}}}}),
+                HasSubstr("baseColorFactor[2]: -1 is not between 0 and 1"));
+    EXPECT_THAT(fault({{"emissiveFactor", {0, 2, 0}}}), HasSubstr("materials[0].emissiveFactor[1]: 2"));
+    EXPECT_THAT(fault({{"alphaCutoff", -0.5}}), HasSubstr("materials[0].alphaCutoff: -0.5 is not 0 or more"));
+    EXPECT_THAT(fault({{"extensions", {{"KHR_materials_emissive_strength", {{"emissiveStrength", -1}}}}}}),
+                HasSubstr("emissiveStrength: -1 is not 0 or more"));
+}
+
+TEST_F(DocumentTest, HarmlessSlipsAreWarnings) {
+    builder.json["extensionsUsed"] = {"KHR_texture_transform", "KHR_texture_transform"};
+    builder.json["materials"] = {{{"extensions", {{"KHR_materials_unlit", Json::object()}}}}};
+    builder.json["animations"] = builder.json["skins"] = builder.json["cameras"] = Json::array();
+    EXPECT_THAT(builder.import().warnings,
+                testing::ElementsAre(HasSubstr("names KHR_texture_transform more than once"),
+                                     HasSubstr("does not name KHR_materials_unlit, which the file uses")));
 }
 
 TEST_F(DocumentTest, TakesIntegersInFloatingPointForm) {

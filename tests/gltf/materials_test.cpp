@@ -16,7 +16,9 @@ constexpr const char* kGreyPixel =
 // A triangle with `material`; textures 0 to 2 show images 0 to 2.
 Builder withMaterial(const Json& material) {
     Builder b;
-    b.triangle()["material"] = 0;
+    Json& p = b.triangle();
+    p["material"] = 0;
+    for (const char* set : {"TEXCOORD_0", "TEXCOORD_1"}) p["attributes"][set] = b.vec2({0, 1, 1, 1, 0, 0});
     b.json["materials"] = {material};
     for (int i = 0; i < 3; ++i) {
         b.push("images", {{"uri", kGreyPixel}, {"name", "image " + std::to_string(i)}});

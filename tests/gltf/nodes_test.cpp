@@ -47,13 +47,30 @@ TEST(Nodes, NegativeScaleIsKept) {
     EXPECT_LT(glm::determinant(glm::mat3(b.import().instances.at(0).worldFromObject)), 0);
 }
 
-TEST(Nodes, RotationsNeedNotBeUnit) {
+TEST(Nodes, RotationsAreUnitUpToRounding) {
     Builder b;
     b.triangle();
-    b.json["nodes"][0]["rotation"] = {0, 0, 3, 3};
+    b.json["nodes"][0]["rotation"] = {0, 0, 0.709, 0.709};
     expectNear(placed(b.import(), {1, 0, 0}), {0, 1, 0});
-    b.json["nodes"][0]["rotation"] = {0, 0, 0, 0};
-    expectNear(placed(b.import(), {1, 0, 0}), {1, 0, 0});
+    for (const Json& rotation : {Json{0, 0, 0, 0}, Json{0, 0, 0.8, 0.8}}) {
+        b.json["nodes"][0]["rotation"] = rotation;
+        EXPECT_THAT(faultOf(b), HasSubstr("nodes[0]: rotation is no unit quaternion"));
+    }
+}
+
+TEST(Nodes, AMatrixStandsAloneAndIsOneOfTranslationRotationAndScale) {
+    const auto fault = [](const Json& node) {
+        Builder b;
+        b.json["nodes"] = {node};
+        return faultOf(b);
+    };
+    const Json identity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    EXPECT_THAT(fault({{"matrix", identity}, {"scale", {1, 1, 1}}}), HasSubstr("nodes[0]: has a matrix beside"));
+    Json sheared = identity, projective = identity;
+    sheared[4] = 0.5;
+    projective[3] = 0.5;
+    EXPECT_THAT(fault({{"matrix", sheared}}), HasSubstr("nodes[0]: its matrix shears"));
+    EXPECT_THAT(fault({{"matrix", projective}}), HasSubstr("nodes[0]: the last row of its matrix"));
 }
 
 TEST(Nodes, OneMeshManyInstances) {
@@ -183,6 +200,11 @@ TEST(Cameras, Faults) {
                 HasSubstr("cameras[0].perspective.yfov"));
     EXPECT_THAT(fault({{"type", "orthographic"}, {"orthographic", {{"xmag", 1}, {"ymag", 0}}}}),
                 HasSubstr("must not be 0"));
+    EXPECT_THAT(fault({{"type", "perspective"}, {"perspective", {{"yfov", 0}}}}),
+                HasSubstr("cameras[0].perspective.yfov: 0 is not greater than 0"));
+    EXPECT_THAT(
+        fault({{"type", "perspective"}, {"perspective", {{"yfov", 1}}}, {"orthographic", {{"xmag", 1}, {"ymag", 1}}}}),
+        HasSubstr("cameras[0]: has both"));
 }
 
 Builder withLights(Json lights) {
@@ -201,7 +223,7 @@ TEST(Lights, PointSpotDirectional) {
         withLights({{{"type", "point"}, {"color", {1, 0.5, 0}}, {"intensity", 8}, {"range", 5}, {"name", "lamp"}},
                     {{"type", "spot"}, {"spot", {{"innerConeAngle", 0.2}, {"outerConeAngle", 0.3}}}},
                     {{"type", "directional"}},
-                    {{"type", "spot"}}})
+                    {{"type", "spot"}, {"spot", Json::object()}}})
             .import();
     ASSERT_EQ(scene.lights.size(), 4U);
     EXPECT_EQ(scene.lights[0].kind, PunctualKind::Point);
@@ -221,9 +243,16 @@ TEST(Lights, PointSpotDirectional) {
 }
 
 TEST(Lights, HardSpotsAndFaults) {
-    const Json hard = {{{"type", "spot"}, {"spot", {{"innerConeAngle", 1}, {"outerConeAngle", 0.5}}}}};
-    EXPECT_EQ(withLights(hard).import().lights.at(0).innerConeAngle, 0.5F);
-    EXPECT_THAT(faultOf(withLights({{{"type", "area"}}})), HasSubstr("lights[0].type: \"area\""));
+    const auto spot = [](double inner, double outer) {
+        return Json{{{"type", "spot"}, {"spot", {{"innerConeAngle", inner}, {"outerConeAngle", outer}}}}};
+    };
+    EXPECT_EQ(withLights(spot(0.5, 0.5)).import().lights.at(0).innerConeAngle, 0.5F);
+    EXPECT_THAT(faultOf(withLights(spot(0.6, 0.5))), HasSubstr("lights[0]: innerConeAngle is greater"));
+    EXPECT_THAT(faultOf(withLights(spot(0.5, 2))), HasSubstr("lights[0].spot.outerConeAngle: 2 is not between"));
+    EXPECT_THAT(faultOf(withLights({{{"type", "spot"}}})), HasSubstr("lights[0]: is a spot without the object"));
+    EXPECT_THAT(faultOf(withLights({{{"type", "area"}}})), HasSubstr("lights[0]: type is none of point, spot"));
+    EXPECT_THAT(faultOf(withLights({{{"type", "point"}, {"range", 0}}})), HasSubstr("range: 0 is not greater than 0"));
+    EXPECT_THAT(faultOf(withLights({{{"type", "point"}, {"intensity", -1}}})), HasSubstr("intensity: -1 is not 0"));
     Builder b = withLights({{{"type", "point"}}});
     b.json["nodes"][0]["extensions"]["KHR_lights_punctual"]["light"] = 4;
     EXPECT_THAT(faultOf(b), HasSubstr("nodes[0].extensions.KHR_lights_punctual.light: 4"));

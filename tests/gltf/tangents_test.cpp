@@ -161,7 +161,7 @@ TEST(Tangents, WithoutImageAnyDirectionAcrossTheNormalServes) {
     p.uv0.clear();
     makeTangents(p, 0);
     ASSERT_EQ(p.tangents.size(), 4U);
-    EXPECT_TRUE(gltf::tangentsAreUsable(p.tangents));
+    for (const glm::vec4& t : p.tangents) EXPECT_NEAR(glm::length(glm::vec3(t)), 1, 1e-5);
     for (const glm::vec4& t : p.tangents) EXPECT_NEAR(t.z, 0, 1e-6);
 }
 
@@ -213,8 +213,8 @@ TEST(Tangents, ImportUsesTheNormalMapsTexCoord) {
     expectNear(glm::vec3(out.tangents[0]), {0, 1, 0});
 }
 
-TEST(Tangents, ImportKeepsGoodOnesAndReplacesBadOnes) {
-    const auto tangents = [](const std::vector<float>& values) {
+TEST(Tangents, ImportKeepsGoodOnesAndRefusesBadOnes) {
+    const auto builder = [](const std::vector<float>& values) {
         Builder b;
         Json& p = b.triangle();
         p["attributes"]["NORMAL"] = b.vec3({0, 0, 1, 0, 0, 1, 0, 0, 1});
@@ -224,10 +224,16 @@ TEST(Tangents, ImportKeepsGoodOnesAndReplacesBadOnes) {
                      "data:image/png;base64,"
                      "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGNoAAAAggCBd81ytgAAAABJRU5ErkJggg=="}});
         b.json["materials"][0] = {{"normalTexture", {{"index", 0}}}};
-        return b.importPrimitive().tangents;
+        return b;
     };
-    EXPECT_EQ(tangents({0, 1, 0, -1, 0, 1, 0, -1, 0, 1, 0, -1}).at(2), glm::vec4(0, 1, 0, -1));
-    EXPECT_EQ(tangents({0, 1, 0, -1, 0, 0, 0, -1, 0, 1, 0, -1}).at(2), glm::vec4(1, 0, 0, 1));
+    EXPECT_EQ(builder({0, 1, 0, -1, 0, 1, 0, -1, 0, 1, 0, -1}).importPrimitive().tangents.at(2),
+              glm::vec4(0, 1, 0, -1));
+    Builder bad = builder({0, 1, 0, -1, 0, 0, 0, -1, 0, 1, 0, -1});
+    EXPECT_THAT(faultOf(bad), testing::HasSubstr("attributes.TANGENT: accessors[3][1] has no direction"));
+    bad.json["materials"][0] = Json::object();
+    EXPECT_TRUE(bad.importPrimitive().tangents.empty()) << "nothing reads them";
+    EXPECT_THAT(faultOf(builder({0, 1, 0, -1, 0, 1, 0, 0, 0, 1, 0, 1})),
+                testing::HasSubstr("accessors[3][1] has no handedness"));
 }
 
 }  // namespace

@@ -4,7 +4,7 @@ set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 
 # Build type of the sanitizer presets: asserts stay on, line numbers in reports, bearable speed.
-set(CMAKE_CXX_FLAGS_SANITIZE "-O1 -g1" CACHE STRING "Flags of build type Sanitize")
+set(CMAKE_CXX_FLAGS_SANITIZE "-O1 -g1")  # no cache entry: project() has made an empty one, which would win
 
 add_library(vkpt_compiler INTERFACE)
 target_compile_options(vkpt_compiler INTERFACE -Wall -Wextra -Wshadow -Wpedantic -Werror -ffp-contract=off)
