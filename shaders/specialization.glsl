@@ -20,3 +20,4 @@ layout(constant_id = 15) const uint kIndexDigits = 8u;     // hexadecimal digits
 layout(constant_id = 16) const uint kLightSteps = 32u;     // of searchCdf in each of its tables
 layout(constant_id = 17) const uint kRowSteps = 32u;
 layout(constant_id = 18) const uint kColumnSteps = 32u;
+layout(constant_id = 19) const uint kScramble = kScrambleOwen;

@@ -86,8 +86,8 @@ ShadowItem sampleDirect(PathVertex v, vec3 wo) {
 
 // Steps 6 and 7: the next segment; false where the path ends.
 bool samplePathDirection(PathVertex v, vec3 wo, out vec3 direction, out vec3 throughput, out float pdf) {
-    BsdfSample s = gltfSample(v.bsdf, wo, samplePath(v.id, bounceDimension(kDimLobe)),
-                              samplePath2D(v.id, bounceDimension(kDimBsdf)));
+    vec2 choices = samplePath2D(v.id, bounceDimension(kDimLobe));  // of a lobe; kDimRoulette: to survive
+    BsdfSample s = gltfSample(v.bsdf, wo, choices.x, samplePath2D(v.id, bounceDimension(kDimBsdf)));
     direction = toWorld(v.point.frame, s.wi);
     throughput = v.throughput * s.weight;
     pdf = s.pdf;
@@ -95,7 +95,7 @@ bool samplePathDirection(PathVertex v, vec3 wo, out vec3 direction, out vec3 thr
     if (brightest <= 0.0 || dot(direction, v.point.ng) <= 0.0) return false;
     if (render.rrMode != kRouletteOff && batch.bounce + 1u >= render.rrDepth) {
         float q = render.rrMode == kRouletteFixed ? render.rrFixed : min(1.0, brightest);
-        if (samplePath(v.id, bounceDimension(kDimRoulette)) >= q) return false;
+        if (choices.y >= q) return false;
         throughput /= q;
     }
     return true;

@@ -59,5 +59,8 @@ SampleId sampleIdOf(uint path) {
 }
 
 float samplePath(SampleId id, uint dim) { return toUnit(samplerBits(id, dim)); }
-vec2 samplePath2D(SampleId id, uint dim) { return vec2(samplePath(id, dim), samplePath(id, dim + 1u)); }
+vec2 samplePath2D(SampleId id, uint dim) {  // dim is even
+    uvec2 bits = samplerPair(id, dim >> 1u);
+    return vec2(toUnit(bits.x), toUnit(bits.y));
+}
 uint bounceDimension(uint dim) { return kDimBounce + batch.bounce * kDimBounceStride + dim; }

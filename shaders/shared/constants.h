@@ -75,10 +75,27 @@ VKPT_CONST uint kRayShadow = 1u;
 
 // Salts that keep the uses of the hash apart.
 VKPT_CONST uint kSaltAlpha = 0xa1fau;
-VKPT_CONST uint kSaltOwen = 0x0e11u;
+VKPT_CONST uint kSaltSampler = 0x0e11u;
+
+// Scrambles: which of them a sampler has, registry.def says.
+VKPT_CONST uint kScrambleNone = 0u;
+VKPT_CONST uint kScrambleXor = 1u;    // a random digital shift
+VKPT_CONST uint kScrambleDigit = 2u;  // a random permutation for each place of the digits
+VKPT_CONST uint kScrambleFaure = 3u;  // one fixed permutation a base
+VKPT_CONST uint kScrambleOwen = 4u;   // nested uniform: a random permutation for each node of the tree of digits
+
+// Sizes of samplers.
+VKPT_CONST uint kSobolDimensions = 3667u;
+VKPT_CONST uint kHaltonDimensions = 256u;
+VKPT_CONST uint kRank1Dimensions = 250u;
+VKPT_CONST uint kPmj02Tables = 32u;
+VKPT_CONST uint kPmj02Points = 4096u;       // of a table
+VKPT_CONST uint kZCurveLevels = 8u;         // a Z curve covers 2^8 x 2^8 pixels
+VKPT_CONST uint kMaskSide = 128u;           // of the blue-noise mask
+VKPT_CONST uint kLargestSet = 65536u;       // samples of a stratified set; more begin another set
+VKPT_CONST uint kLargestPrimeSet = 63001u;  // 251^2: the same for orthogonal arrays
 
 VKPT_CONST uint kFilmFractionBits = 48u;
-VKPT_CONST uint kSobolDimensions = 3667u;
 VKPT_CONST uint kWideNodeLeafItems = 3u;   // a leaf holds 1 to 3 items
 
 VKPT_CONST float kPi = 3.14159265358979323846f;

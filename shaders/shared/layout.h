@@ -123,7 +123,7 @@ struct SceneHeader {
     uint envLight;    // index of the environment in the light array, or kNone
     uint envWidth, envHeight;
     float envCos, envSin;  // rotation about +y
-    uint samplerTable;     // direction numbers, 32 uints a dimension, 4 a word
+    uint samplerTable;     // of the sampler in use: see shaders/samplers/
     uint headerPad0, headerPad1, headerPad2;
 };
 

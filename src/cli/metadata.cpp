@@ -11,12 +11,6 @@ namespace {
 /// Shortest text that reads back as the same floats; -0 is 0.
 std::string text(const glm::vec3& v) { return fmt::format("{},{},{}", v.x + 0.0F, v.y + 0.0F, v.z + 0.0F); }
 
-std::string_view samplerName(SamplerId id) {
-    for (const SamplerInfo& sampler : kSamplers)
-        if (sampler.id == id) return sampler.name;
-    return "unknown";
-}
-
 std::string backgroundText(const RenderParams& params) {
     switch (params.backgroundMode) {
         case kBackgroundTransparent:
@@ -47,7 +41,8 @@ Json renderSettings(const PreparedScene& prepared) {
             {"size", fmt::format("{}x{}", p.width, p.height)},
             {"spp", p.spp},
             {"seed", p.seed},
-            {"sampler", samplerName(prepared.options.sampler)},
+            {"sampler", samplerName(prepared.options.sampler.id)},
+            {"scramble", scrambleName(prepared.options.sampler.scramble)},
             {"projection", p.projection == kProjectionOrthographic ? "orthographic" : "perspective"},
             {"eye", text(p.eye)},
             {"forward", text(p.forward)},
@@ -80,7 +75,7 @@ ImageMetadata imageMetadata(const PreparedScene& prepared, const RenderReport& r
             {"vkpt:spp", std::to_string(film.samples())},
             {"vkpt:samples", fmt::format("{}:{}", film.sampleBegin, film.sampleEnd)},
             {"vkpt:seed", std::to_string(params.seed)},
-            {"vkpt:sampler", std::string(samplerName(prepared.options.sampler))},
+            {"vkpt:sampler", std::string(samplerName(prepared.options.sampler.id))},
             {"vkpt:backend", report.backend},
             {"vkpt:device", report.device}};
 }

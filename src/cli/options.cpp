@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+
+#include "cli/command.h"
 
 namespace vkpt {
 namespace {
@@ -54,7 +57,35 @@ void addLightOptions(CLI::App& app, SceneOptions& options) {
         ->group(group);
 }
 
+/// "owen|xor|none", the default first.
+std::string scramblesOf(const SamplerInfo& sampler) {
+    std::string names;
+    for (const ScrambleId id : sampler.scrambles())
+        names += fmt::format("{}{}", names.empty() ? "" : "|", scrambleName(id));
+    return names;
+}
+
+/// "sobol owen|xor|none, ..." of the samplers that have any.
+std::string scrambleHelp() {
+    std::string text;
+    for (const SamplerInfo& sampler : kSamplers)
+        if (sampler.scrambleCount > 0)
+            text += fmt::format("{}{} {}", text.empty() ? "" : ", ", sampler.name, scramblesOf(sampler));
+    return text;
+}
+
 }  // namespace
+
+SamplerChoice chooseSampler(SamplerId sampler, std::optional<ScrambleId> scramble) {
+    if (!scramble) return sampler;
+    const SamplerInfo& info = samplerInfo(sampler);
+    if (info.scrambleCount == 0)
+        throw usageError("--scramble", fmt::format("'{}' has none to choose from", info.name));
+    if (std::ranges::count(info.scrambles(), *scramble) == 0)
+        throw usageError("--scramble", fmt::format("'{}' is not one of '{}': {}", scrambleName(*scramble), info.name,
+                                                   scramblesOf(info)));
+    return {sampler, *scramble};
+}
 
 void addSceneFile(CLI::App& app, SceneOptions& options, bool required) {
     app.add_option("SCENE", options.file, "glTF 2.0 file, .gltf or .glb")->required(required)->type_name("FILE");
@@ -84,6 +115,9 @@ void addSamplingOptions(CLI::App& app, SamplingOptions& options) {
         ->group(group);
     addParsed(app, "--sampler", options.sampler, nameIn(kSamplers), namesOf(kSamplers),
               "where random numbers come from (default: sobol)")
+        ->group(group);
+    addParsed(app, "--scramble", options.scramble, nameIn(kScrambles), namesOf(kScrambles),
+              "how its numbers are scrambled, the default first: " + scrambleHelp())
         ->group(group);
     addParsed(app, "--max-depth", options.maxDepth, numberWithin(0U), "N",
               "0: emission, 1: direct light too, 2: one bounce, ... (default: 8)", kWhole)

@@ -9,7 +9,7 @@
 
 #include "base/log.h"
 #include "cli/parse.h"
-#include "registry.h"
+#include "scene/sampler_choice.h"
 #include "wavefront/renderer.h"
 
 namespace vkpt {
@@ -35,12 +35,16 @@ struct SamplingOptions {
     std::uint32_t spp = 64, seed = 0;
     std::optional<SampleRange> samples;
     SamplerId sampler = SamplerId::Sobol;
+    std::optional<ScrambleId> scramble;  ///< else the sampler's default
     std::uint32_t maxDepth = 8;
     Roulette roulette;
     std::uint32_t rrDepth = 3;
 };
 
 enum class Backend { Vulkan, Cpu };
+
+/// The sampler with the scramble that is asked for, or its default. Throws a usage error where it has no such one.
+[[nodiscard]] SamplerChoice chooseSampler(SamplerId sampler, std::optional<ScrambleId> scramble);
 
 /// What computes it.
 struct BackendOptions {

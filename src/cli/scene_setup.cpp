@@ -39,16 +39,26 @@ private:
     double last_ = secondsSinceStart();
 };
 
+/// --spp, or the next number that the sampler's sets have.
+std::uint32_t roundedSpp(const SamplingOptions& sampling) {
+    const std::uint32_t spp = sampleCount(sampling.sampler, sampling.spp);
+    const SamplerInfo& sampler = samplerInfo(sampling.sampler);
+    if (spp != sampling.spp)
+        spdlog::info("--spp {}: '{}' takes {}, so {}", sampling.spp, sampler.name, countsText(sampler.counts), spp);
+    return spp;
+}
+
 void setSampling(RenderOptions& options, const SamplingOptions& sampling) {
-    options.sampler = sampling.sampler;
-    const SampleRange range = sampling.samples.value_or(SampleRange{0, sampling.spp});
-    if (range.end > sampling.spp)
+    options.sampler = chooseSampler(sampling.sampler, sampling.scramble);
+    const std::uint32_t spp = roundedSpp(sampling);
+    const SampleRange range = sampling.samples.value_or(SampleRange{0, spp});
+    if (range.end > spp)
         throw usageError("--samples", fmt::format("{}:{} reaches beyond the {} samples of --spp", range.begin,
-                                                  range.end, sampling.spp));
+                                                  range.end, spp));
     options.sampleBegin = range.begin;
     options.sampleEnd = range.end;
     RenderParams& params = options.params;
-    params.spp = sampling.spp;
+    params.spp = spp;
     params.seed = sampling.seed;
     params.maxDepth = sampling.maxDepth;
     params.rrMode = sampling.roulette.mode;

@@ -5,7 +5,7 @@
 #include "constants.h"
 #include "reference/hash.h"
 #include "reference/real.h"
-#include "registry.h"
+#include "scene/sampler_choice.h"
 
 namespace vkpt::reference {
 
@@ -14,18 +14,27 @@ struct SampleId {
     std::uint32_t pixel = 0, index = 0, spp = 0, seed = 0;
 };
 
-using SamplerBits = std::uint32_t (*)(SampleId id, std::uint32_t dim);
-
 #define VKPT_SAMPLER(Name, stem) std::uint32_t stem##Bits(SampleId id, std::uint32_t dim);
+#define VKPT_SCRAMBLED_SAMPLER(Name, stem) \
+    std::uint32_t stem##Bits(SampleId id, std::uint32_t dim, ScrambleId scramble);
 #include "reference_samplers.inc"
 #undef VKPT_SAMPLER
+#undef VKPT_SCRAMBLED_SAMPLER
+
+/// The function of a sampler and its scramble.
+struct SamplerBits {
+    std::uint32_t (*function)(SampleId id, std::uint32_t dim, ScrambleId scramble) = nullptr;
+    ScrambleId scramble = ScrambleId::None;
+
+    std::uint32_t operator()(SampleId id, std::uint32_t dim) const { return function(id, dim, scramble); }
+};
 
 /// The function of a registered sampler. Throws std::logic_error for an id the registry does not hold.
-[[nodiscard]] SamplerBits samplerBits(SamplerId sampler);
+[[nodiscard]] SamplerBits samplerBits(SamplerChoice sampler);
 
 /// One sample of one path: every random number it uses, by dimension.
 struct PathSample {
-    SamplerBits bits = nullptr;
+    SamplerBits bits;
     SampleId id;
 
     [[nodiscard]] float get1D(std::uint32_t dim) const { return toUnit(bits(id, dim)); }

@@ -7,14 +7,14 @@
 #include <optional>
 
 #include "layout.h"
-#include "registry.h"
+#include "scene/sampler_choice.h"
 
 namespace vkpt {
 
 /// What is rendered. RenderParams carries everything both sides' estimators read.
 struct RenderOptions {
     RenderParams params{};
-    SamplerId sampler = SamplerId::Sobol;
+    SamplerChoice sampler;
     std::uint32_t sampleBegin = 0, sampleEnd = 64;  ///< range of sample indices; params.spp is the whole N
 };
 

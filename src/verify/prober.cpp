@@ -12,10 +12,10 @@ const Kernel& Prober::kernel(const std::string& name, const ProbeOptions& option
     return kernels_.emplace(key, makeProbeKernel(device_, spirv_(name), name, options)).first->second;
 }
 
-ProbeScene::ProbeScene(Prober& prober, const SceneArrays& arrays, const RenderParams& params)
-    : prober_(prober), features_(arrays.features) {
+ProbeScene::ProbeScene(Prober& prober, const SceneArrays& arrays, const RenderParams& params, SamplerChoice sampler)
+    : prober_(prober), features_(arrays.features), sampler_(sampler) {
     Device& device = prober.device();
-    const SceneLayout layout = planScene(arrays);
+    const SceneLayout layout = planScene(arrays, sampler);
     header_ = layout.header;
     struct {
         SceneHeader scene;
@@ -24,16 +24,16 @@ ProbeScene::ProbeScene(Prober& prober, const SceneArrays& arrays, const RenderPa
     frame_ = Buffer(device, BufferUse::Uniform, sizeof frame, "probe frame");
     std::memcpy(frame_.map().data(), &frame, sizeof frame);
     scene_ = Buffer(device, BufferUse::Storage, layout.bytes, "probe scene");
-    uploadScene(device, scene_, arrays, header_);
+    uploadScene(device, scene_, arrays, layout);
     dummy_ = Buffer(device, BufferUse::Storage, 16, "probe dummy");
     sceneTexels_ = TexelView(device, scene_, VK_FORMAT_R32G32B32A32_UINT, 0, layout.bytes);
     dummyTexels_ = TexelView(device, dummy_, VK_FORMAT_R32G32B32A32_UINT, 0, 16);
 }
 
-ProbeOptions ProbeScene::options(Fetch form, SamplerId sampler) const {
+ProbeOptions ProbeScene::options(Fetch form) const {
     const bool texel = form == Fetch::Texel;
     ProbeOptions options;
-    options.specialization = specializationOf(features_, header_, {.sampler = sampler, .fetchTexel = texel});
+    options.specialization = specializationOf(features_, header_, {.sampler = sampler_, .fetchTexel = texel});
     options.extraKinds = {BindingKind::UniformBuffer, BindingKind::StorageBuffer, BindingKind::StorageTexel};
     options.extra = {frame_, texel ? dummy_ : scene_, texel ? sceneTexels_ : dummyTexels_};
     return options;

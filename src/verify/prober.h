@@ -53,18 +53,19 @@ inline constexpr std::array kFetchForms = {Fetch::Texel, Fetch::Storage};
 /// A scene as WavefrontRenderer uploads it, at bindings 2 (frame), 3 (storage words) and 4 (texels).
 class ProbeScene {
 public:
-    ProbeScene(Prober& prober, const SceneArrays& arrays, const RenderParams& params = {});
+    ProbeScene(Prober& prober, const SceneArrays& arrays, const RenderParams& params = {},
+               SamplerChoice sampler = SamplerId::Random);
 
     [[nodiscard]] const SceneHeader& header() const { return header_; }
     /// Bindings and specialization for one fetch form; valid as long as this object.
-    [[nodiscard]] ProbeOptions options(Fetch form, SamplerId sampler = SamplerId::Random) const;
+    [[nodiscard]] ProbeOptions options(Fetch form) const;
 
     /// One Out for each input, through both fetch forms, which must agree to the bit: they are compared first.
     template <class Out, class In>
-    [[nodiscard]] std::vector<Out> evaluate(Findings& findings, const std::string& name, const std::vector<In>& inputs,
-                                            SamplerId sampler = SamplerId::Random) const {
-        const auto texel = prober_.evaluate<Out>(name, inputs, options(Fetch::Texel, sampler));
-        const auto storage = prober_.evaluate<Out>(name, inputs, options(Fetch::Storage, sampler));
+    [[nodiscard]] std::vector<Out> evaluate(Findings& findings, const std::string& name,
+                                            const std::vector<In>& inputs) const {
+        const auto texel = prober_.evaluate<Out>(name, inputs, options(Fetch::Texel));
+        const auto storage = prober_.evaluate<Out>(name, inputs, options(Fetch::Storage));
         for (std::size_t i = 0; i < inputs.size(); ++i) {
             findings.at(i);
             findings.holds("both fetch forms", std::memcmp(&texel[i], &storage[i], sizeof(Out)) == 0,
@@ -76,6 +77,7 @@ public:
 private:
     Prober& prober_;
     SceneFeatures features_;
+    SamplerChoice sampler_;
     SceneHeader header_;
     Buffer frame_, scene_, dummy_;
     TexelView sceneTexels_, dummyTexels_;

@@ -15,7 +15,7 @@ std::uint32_t searchSteps(std::uint32_t count) {
 std::vector<std::uint32_t> specializationOf(const SceneFeatures& f, const SceneHeader& header,
                                             const KernelOptions& options) {
     const auto indexDigits = std::max<std::uint32_t>((std::bit_width(options.lastIndex) + 3U) / 4, 1);
-    return {static_cast<std::uint32_t>(options.sampler),
+    return {static_cast<std::uint32_t>(options.sampler.id),
             options.fetchTexel,
             f.instances,
             f.alpha,
@@ -33,7 +33,8 @@ std::vector<std::uint32_t> specializationOf(const SceneFeatures& f, const SceneH
             indexDigits,
             searchSteps(header.lightCount),
             searchSteps(header.envHeight),
-            searchSteps(header.envWidth)};
+            searchSteps(header.envWidth),
+            static_cast<std::uint32_t>(options.sampler.scramble)};
 }
 
 WavefrontKernels::WavefrontKernels(Device& device, const SpirvSource& spirv,

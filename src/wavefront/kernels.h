@@ -24,7 +24,7 @@ inline constexpr std::array kKernelBindings = {
 
 /// What kernels are specialised for, besides the scene.
 struct KernelOptions {
-    SamplerId sampler = SamplerId::Sobol;
+    SamplerChoice sampler{};
     std::uint32_t lastIndex = ~0U;  ///< the highest sample index they may meet
     bool fetchTexel = false, useBallot = false, stateTexel = false;
 };

@@ -124,7 +124,7 @@ WavefrontRenderer::Impl::Impl(const SceneArrays& arrays, const RenderOptions& re
     : options(renderOptions),
       config(wavefrontConfig),
       device({config.device, config.validation}),
-      layout(planScene(arrays)),
+      layout(planScene(arrays, options.sampler)),
       capacity(config.pathsInFlight != 0 ? config.pathsInFlight : kDefaultPaths),
       texels(useTexels(device, config.fetch, layout.bytes)),
       stateTexel(useStateTexels(device, config.fetch, stateBytes(capacity))),
@@ -174,7 +174,7 @@ void WavefrontRenderer::Impl::createBuffers(const SceneArrays& arrays) {
     const std::vector<QueueCounter> fresh(counterBytesUsed / sizeof(QueueCounter) - 4);
     std::memset(freshCounters.map().data(), 0, counterBytesUsed);
     std::memcpy(freshCounters.map().data(), fresh.data(), fresh.size() * sizeof(QueueCounter));
-    uploadScene(device, scene, arrays, layout.header);
+    uploadScene(device, scene, arrays, layout);
     for (const Band& band : bandList) {
         FilmBand b{
             band, Buffer(device, BufferUse::Storage, std::size_t{band.pixelCount} * sizeof(FilmSums), "film"), {}};

@@ -1,26 +1,23 @@
 #include "wavefront/scene_upload.h"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <vector>
 
 #include "base/error.h"
 #include "gpu/transfer.h"
-#include "scene/sobol_directions.h"
+#include "scene/sampler_table.h"
 
 namespace vkpt {
 namespace {
 
 constexpr std::size_t kWord = 16;
 
-const std::vector<std::uint32_t>& samplerTable() {
-    static const std::vector<std::uint32_t> table = sobolDirections();
-    return table;
-}
-
 /// Calls visit(section offset in the header, bytes) for every section, in the order they are stored.
-template <class Header, class Visit>
-void forEachSection(const SceneArrays& a, Header& h, const Visit& visit) {
+template <class Layout, class Visit>
+void forEachSection(const SceneArrays& a, Layout& layout, const Visit& visit) {
+    auto& h = layout.header;
     visit(h.nodes, std::as_bytes(std::span(a.nodes)));
     visit(h.triangles, std::as_bytes(std::span(a.triangles)));
     visit(h.vertices, std::as_bytes(std::span(a.vertices)));
@@ -34,21 +31,22 @@ void forEachSection(const SceneArrays& a, Header& h, const Visit& visit) {
     visit(h.envTexels, std::as_bytes(std::span(a.envTexels)));
     visit(h.envRows, std::as_bytes(std::span(a.envRows)));
     visit(h.envColumns, std::as_bytes(std::span(a.envColumns)));
-    visit(h.samplerTable, std::as_bytes(std::span(samplerTable())));
+    visit(h.samplerTable, std::as_bytes(std::span(layout.samplerTable)));
 }
 
 }  // namespace
 
-SceneLayout planScene(const SceneArrays& arrays) {
+SceneLayout planScene(const SceneArrays& arrays, SamplerChoice sampler) {
     SceneLayout layout;
+    layout.samplerTable = samplerTable(sampler);
     std::size_t words = 0;
-    forEachSection(arrays, layout.header, [&](uint& offset, std::span<const std::byte> bytes) {
+    forEachSection(arrays, layout, [&](uint& offset, std::span<const std::byte> bytes) {
         if (words >= kNone) throw DeviceError("the scene needs more than 64 GiB on the device");
         offset = bytes.empty() ? kNone : static_cast<uint>(words);
         words += (bytes.size() + kWord - 1) / kWord;
     });
     if (words >= kNone) throw DeviceError("the scene needs more than 64 GiB on the device");
-    layout.bytes = words * kWord;
+    layout.bytes = std::max(words, std::size_t{1}) * kWord;  // an empty buffer could not be bound
     SceneHeader& h = layout.header;
     h.lightCount = static_cast<uint>(arrays.lights.size());
     h.rootNode = arrays.rootNode;
@@ -60,8 +58,8 @@ SceneLayout planScene(const SceneArrays& arrays) {
     return layout;
 }
 
-void uploadScene(Device& device, const Buffer& buffer, const SceneArrays& arrays, const SceneHeader& header) {
-    forEachSection(arrays, header, [&](const uint& offset, std::span<const std::byte> bytes) {
+void uploadScene(Device& device, const Buffer& buffer, const SceneArrays& arrays, const SceneLayout& layout) {
+    forEachSection(arrays, layout, [&](const uint& offset, std::span<const std::byte> bytes) {
         if (!bytes.empty()) uploadBuffer(device, buffer, offset * kWord, bytes);
     });
 }

@@ -1,20 +1,23 @@
 // SceneArrays packed into one buffer of 16-byte words on the device.
 #pragma once
 #include <cstdint>
+#include <vector>
 
 #include "gpu/buffer.h"
+#include "scene/sampler_choice.h"
 #include "scene/scene_arrays.h"
 
 namespace vkpt {
 
 struct SceneLayout {
     SceneHeader header{};
+    std::vector<std::uint32_t> samplerTable;
     std::size_t bytes = 0;
 };
 
 /// Where each section starts. Throws DeviceError where the scene has 2^32 words or more.
-[[nodiscard]] SceneLayout planScene(const SceneArrays& arrays);
+[[nodiscard]] SceneLayout planScene(const SceneArrays& arrays, SamplerChoice sampler);
 /// Fills `buffer`, made for planScene's bytes.
-void uploadScene(Device& device, const Buffer& buffer, const SceneArrays& arrays, const SceneHeader& header);
+void uploadScene(Device& device, const Buffer& buffer, const SceneArrays& arrays, const SceneLayout& layout);
 
 }  // namespace vkpt

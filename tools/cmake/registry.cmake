@@ -10,29 +10,62 @@ function(vkpt_capitalise word out)
   set(${out} "${head}${tail}" PARENT_SCOPE)
 endfunction()
 
+# "owen xor none" to "ScrambleId::Owen, ScrambleId::Xor, ScrambleId::None", and their number; "-" to nothing.
+function(vkpt_scramble_list names out count_out)
+  set(list "")
+  if(NOT names STREQUAL "-")
+    string(REPLACE " " ";" names "${names}")
+    foreach(name IN LISTS names)
+      vkpt_capitalise("${name}" Name)
+      list(APPEND list "ScrambleId::${Name}")
+    endforeach()
+  endif()
+  list(LENGTH list count)
+  string(JOIN ", " list ${list})
+  set(${out} "${list}" PARENT_SCOPE)
+  set(${count_out} "${count}" PARENT_SCOPE)
+endfunction()
+
 file(STRINGS "${VKPT_REGISTRY}" lines REGEX "^[^#].*\\|")
 set(enum "")
 set(table "")
 set(inc "")
 set(includes "")
 set(cases "")
+set(pair_cases "")
 foreach(line IN LISTS lines)
   string(REGEX REPLACE " *\\| *" ";" fields "${line}")
   list(GET fields 0 kind)
-  list(GET fields 1 id)
-  list(GET fields 2 name)
-  list(GET fields 3 stem)
-  list(GET fields 4 help)
-  string(STRIP "${kind}" kind)
   if(NOT kind STREQUAL "sampler")
     message(FATAL_ERROR "${VKPT_REGISTRY}: unknown kind '${kind}'")
   endif()
+  list(GET fields 1 id)
+  list(GET fields 2 name)
+  list(GET fields 3 stem)
+  list(GET fields 4 unit)
+  list(GET fields 5 scrambles)
+  list(GET fields 6 counts)
+  list(GET fields 7 help)
   vkpt_capitalise("${stem}" Stem)
+  vkpt_capitalise("${counts}" Counts)
+  vkpt_scramble_list("${scrambles}" scramble_list scramble_count)
   string(APPEND enum "    ${Stem} = ${id},\n")
-  string(APPEND table "    {SamplerId::${Stem}, \"${name}\", \"${help}\"},\n")
-  string(APPEND inc "VKPT_SAMPLER(${Stem}, ${stem})\n")
+  string(APPEND table "    {SamplerId::${Stem}, \"${name}\", SampleCounts::${Counts}, \"${help}\", "
+                      "{${scramble_list}}, ${scramble_count}},\n")
+  if(scramble_count EQUAL 0)
+    string(APPEND inc "VKPT_SAMPLER(${Stem}, ${stem})\n")
+  else()
+    string(APPEND inc "VKPT_SCRAMBLED_SAMPLER(${Stem}, ${stem})\n")
+  endif()
   string(APPEND includes "#include \"samplers/${stem}.glsl\"\n")
-  string(APPEND cases "    case ${id}u: return ${stem}Bits(id, dim);\n")
+  if(unit STREQUAL "pair")
+    string(APPEND cases "    case ${id}u: pair = ${stem}Pair(id, dim >> 1u); return (dim & 1u) == 0u ? pair.x : pair.y;\n")
+    string(APPEND pair_cases "    case ${id}u: return ${stem}Pair(id, pair);\n")
+  else()
+    string(APPEND cases "    case ${id}u: return ${stem}Bits(id, dim);\n")
+    string(APPEND pair_cases
+      "    case ${id}u: return uvec2(${stem}Bits(id, 2u * pair), ${stem}Bits(id, 2u * pair + 1u));\n")
+  endif()
 endforeach()
 
 file(CONFIGURE OUTPUT "${VKPT_GENERATED}/registry.h" @ONLY CONTENT
@@ -40,16 +73,39 @@ file(CONFIGURE OUTPUT "${VKPT_GENERATED}/registry.h" @ONLY CONTENT
 #pragma once
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string_view>
+
+#include \"constants.h\"
 
 namespace vkpt {
 
 enum class SamplerId : std::uint32_t {
 @enum@};
 
+enum class ScrambleId : std::uint32_t {
+    None = kScrambleNone,
+    Xor = kScrambleXor,
+    Digit = kScrambleDigit,
+    Faure = kScrambleFaure,
+    Owen = kScrambleOwen,
+};
+
+/// Numbers of samples that a sampler's sets can have.
+enum class SampleCounts : std::uint32_t { Any, Grid, Prime2, Power2 };
+
 struct SamplerInfo {
     SamplerId id;
-    std::string_view name, help;
+    std::string_view name;
+    SampleCounts counts;
+    std::string_view help;
+    std::array<ScrambleId, 5> scrambleList;
+    std::uint32_t scrambleCount;
+
+    /// The default first; empty where there is nothing to choose.
+    [[nodiscard]] constexpr std::span<const ScrambleId> scrambles() const {
+        return std::span(scrambleList).first(scrambleCount);
+    }
 };
 
 inline constexpr auto kSamplers = std::to_array<SamplerInfo>({
@@ -58,15 +114,24 @@ inline constexpr auto kSamplers = std::to_array<SamplerInfo>({
 }  // namespace vkpt
 ")
 file(CONFIGURE OUTPUT "${VKPT_GENERATED}/reference_samplers.inc" @ONLY CONTENT
-"// Generated from shaders/shared/registry.def: VKPT_SAMPLER(EnumName, functionStem) a line.
+"// Generated from shaders/shared/registry.def: VKPT_SAMPLER(EnumName, functionStem) a line, or
+// VKPT_SCRAMBLED_SAMPLER where it has scrambles.
 @inc@")
 file(CONFIGURE OUTPUT "${VKPT_GENERATED}/samplers.glsl" @ONLY CONTENT
 "// Generated from shaders/shared/registry.def. kSampler is a specialization constant: the switch folds away.
 @includes@
 uint samplerBits(SampleId id, uint dim) {
+    uvec2 pair;
     switch (kSampler) {
 @cases@    }
     return 0u;
+}
+
+// Dimensions 2 pair and 2 pair + 1.
+uvec2 samplerPair(SampleId id, uint pair) {
+    switch (kSampler) {
+@pair_cases@    }
+    return uvec2(0u);
 }
 ")
 add_custom_target(vkpt_registry)

@@ -1,4 +1,6 @@
 // Written once: a new line of registry.def is covered with no edit here.
+#include <fmt/format.h>
+
 #include "reference/sampler.h"
 #include "verify/context.h"
 #include "verify/probes.h"
@@ -26,6 +28,10 @@ std::vector<In> sampleGrid() {
                  {0U, 1U, 2U, 7U, 8U, 9U, 24U, 130U, 1000U, 3665U, 3666U, 3667U, 3668U, 7333U, 7334U, 65544U})
                 for (const std::uint32_t seed : {0U, 1U, 42U, 0xffffffffU})
                     grid.push_back({{pixel, index, 1024, seed}, {dim, 0, 0, 0}});
+    for (const std::uint32_t spp : {1U, 2U, 3U, 5U, 8U, 48U, 97U, 2048U, 63001U, 65535U, 65536U, 100000U, 1U << 31U})
+        for (const std::uint32_t index : {0U, 1U, 4U, 40U, 2047U, 70000U, 0x7fffffffU})
+            for (const std::uint32_t dim : {0U, 1U, 2U, 3U, 10U, 11U, 30U, 143U})
+                grid.push_back({{11U | 300U << 16U, index, spp, 8}, {dim, 0, 0, 0}});
     for (std::uint32_t index = 0; index < 64; ++index)
         for (std::uint32_t dim = 0; dim < 40; ++dim) grid.push_back({{5U | 9U << 16U, index, 64, 3}, {dim, 0, 0, 0}});
     return grid;
@@ -35,19 +41,20 @@ std::vector<In> sampleGrid() {
 
 void checkSamplers(VerifyContext& context, Findings& findings) {
     const std::vector<In> grid = sampleGrid();
-    const ProbeScene scene(context.prober(), SceneArrays{});
-    for (const SamplerInfo& sampler : kSamplers) {
+    for (const SamplerChoice& sampler : allSamplerChoices()) {
         const auto scope = findings.inputs([&](std::size_t i) {
             const auto& [id, dim] = grid[i];
-            return fmt::format("{}: pixel {}, index {}, seed {}, dimension {}", sampler.name, id.pixel, id.index,
+            return fmt::format("{}, scramble {}: pixel {}, index {} of {}, seed {}, dimension {}",
+                               samplerName(sampler.id), scrambleName(sampler.scramble), id.pixel, id.index, id.spp,
                                id.seed, dim.x);
         });
-        const auto bits = reference::samplerBits(sampler.id);
-        const auto out = scene.evaluate<Out>(findings, "samplers", grid, sampler.id);
+        const auto bits = reference::samplerBits(sampler);
+        const ProbeScene scene(context.prober(), SceneArrays{}, {}, sampler);
+        const auto out = scene.evaluate<Out>(findings, "samplers", grid);
         for (std::size_t i = 0; i < grid.size(); ++i) {
             findings.at(i);
             const std::uint32_t expected = bits(grid[i].id, grid[i].dim.x);
-            findings.equal(sampler.name, out[i].bits, expected);
+            findings.equal(samplerName(sampler.id), out[i].bits, expected);
             findings.equal("toUnit", out[i].unit, reference::toUnit(expected));
         }
     }

@@ -1,0 +1,49 @@
+// Radical inverses in prime bases, scrambled or not.
+// Table: a word a base b: {b | digits K << 11 | upper half of M << 16, floor((2^32 - 1) / b), lower half of M, first of the
+// Faure permutation}; b^K is the first power of b of 24 bits or more, M = ceil(2^64 / b^K). Then Faure's permutations,
+// 16 bits an element.
+#ifndef VKPT_SAMPLERS_RADICAL_INVERSE
+#define VKPT_SAMPLERS_RADICAL_INVERSE
+#include "samplers/strata.glsl"
+
+uint faureDigit(uint first, uint digit) {
+    uint element = first + digit;
+    return (sceneWord(scene.samplerTable + (element >> 3u))[(element >> 1u) & 3u] >> ((element & 1u) * 16u)) & 0xffffu;
+}
+
+// Inverse of `index` in prime number `d`, 32-bit fixed point; digits beyond 24 bits do not count.
+// none; faure: one permutation a base [Faure 92]; digit: one a place, drawn by `key`; owen: one a node of the digit
+// tree. Two values never get one digit, and any two get any two others alike where the map is affine with random
+// coefficients, which is all that the variance of nested uniform scrambling rests on. [Owen 03]
+uint radicalInverse(uint index, uint d, uint key) {
+    uvec4 entry = sceneWord(scene.samplerTable + d);
+    Divisor base = Divisor(entry.x & 0x7ffu, entry.y);
+    uint digits = (entry.x >> 11u) & 31u, rest = index, value = 0u;
+    for (uint k = 0u; k < digits; ++k) {
+        uvec2 split = divide(rest, base);
+        rest = split.x;
+        uint digit = split.y;
+        if (kScramble == kScrambleFaure) digit = faureDigit(entry.w, digit);
+        if (kScramble == kScrambleDigit) {
+            key = mixBits(key);
+            digit = permute(digit, base, key);
+        }
+        if (kScramble == kScrambleOwen) {
+            uint node = mixBits(key);
+            key = node ^ digit;
+            uint factor = 1u + (((node * 0x9e3779b9u) >> 16u) * (base.d - 1u) >> 16u);
+            digit = divide(factor * digit + multiplyHigh(node, base.d), base).y;
+        }
+        value = value * base.d + digit;
+    }
+    return value * (entry.x >> 16u) + multiplyHigh(value, entry.z);
+}
+
+// Dimension `dim`, its bases repeating. What is not scrambled is at least rotated where it repeats.
+uint haltonDimension(SampleId id, uint dim) {
+    uint bits = radicalInverse(id.index, dim % kHaltonDimensions, samplerKey(id.pixel, dim, id.seed, 0u).x);
+    if ((kScramble == kScrambleNone || kScramble == kScrambleFaure) && dim >= kHaltonDimensions)
+        bits += samplerKey(0u, dim, 0u, 0u).x;
+    return bits;
+}
+#endif
