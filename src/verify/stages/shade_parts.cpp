@@ -13,6 +13,10 @@ constexpr double kPosition = 4e-7;  ///< of the largest coordinate at hand: a fi
 // narrow ones exceed them and are compared by the range of nearby inputs.
 constexpr double kDirection = 2e-5, kWeight = 1e-3, kDensity = 2e-3;
 
+/// Relative rounding of a drawn direction's cosine, sqrt(1 - x^2 - y^2): two roundings near 1 over twice the cosine's
+/// square. Weights and densities follow the cosine.
+double cosineRounding(double cosine) { return 0x1p-23 / std::max(cosine * cosine, 1e-12); }
+
 /// Light too faint for the film to hold, or for floats: whether it exists is rounding's choice.
 bool isFaint(const glm::vec3& v) { return !(std::max({v.x, v.y, v.z}) >= 1e-15F); }
 
@@ -31,12 +35,13 @@ void addDirect(Parts& parts, const reference::DirectLight& direct, double magnit
     parts.push_back({"light sample", direct.contribution, 2 * kFilmUnit, kWeight});
 }
 
-void addNext(Parts& parts, const reference::PathState& next, double magnitude) {
+void addNext(Parts& parts, const reference::PathState& next, double magnitude, double cosine) {
+    const double rounding = cosineRounding(cosine);
     if (isFaint(next.throughput)) return;
     parts.push_back({"next ray's origin", next.ray.origin, kPosition * magnitude});
     parts.push_back({"next direction", next.ray.direction, kDirection});
-    parts.push_back({"throughput", next.throughput, 1e-9, kWeight});
-    parts.push_back({"pdf", glm::dvec3(finitePdf(next.pdfBsdf)), 1e-9, kDensity});
+    parts.push_back({"throughput", next.throughput, 1e-9, kWeight + rounding});
+    parts.push_back({"pdf", glm::dvec3(finitePdf(next.pdfBsdf)), 1e-9, kDensity + rounding});
 }
 
 }  // namespace
@@ -48,7 +53,7 @@ Part contributionPart(std::string_view name, const glm::vec3& contribution) {
 Parts partsOf(const DeviceVertex& vertex) {
     Parts parts = {{"emitted light", vertex.emitted}};
     if (vertex.direct) addDirect(parts, *vertex.direct, 0);
-    if (vertex.next) addNext(parts, *vertex.next, 0);
+    if (vertex.next) addNext(parts, *vertex.next, 0, 1);
     return parts;
 }
 
@@ -57,7 +62,7 @@ Parts partsOf(const reference::PathVertex& vertex) {
         glm::distance(glm::dvec3(vertex.point.rayOrigin), glm::dvec3(vertex.point.position)) / double{kOffsetScale};
     Parts parts = {contributionPart("emitted light", vertex.emitted)};
     if (vertex.direct) addDirect(parts, *vertex.direct, magnitude);
-    if (vertex.next) addNext(parts, *vertex.next, magnitude);
+    if (vertex.next) addNext(parts, *vertex.next, magnitude, glm::dot(vertex.next->ray.direction, vertex.point.ns));
     return parts;
 }
 
