@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/exr_header.h"
 #include "base/image_formats.h"
 
 namespace vkpt {
@@ -22,9 +23,6 @@ namespace {
 
 // Decoded at once: memory grows only as the file proves to hold pixels.
 constexpr std::int64_t kBandRows = 256, kBandPixels = std::int64_t{1} << 20U;
-// Windows up to the first size need no proof; larger ones at least a byte for so many pixels (plain black under the
-// strongest compression takes more).
-constexpr std::uint64_t kFreePixels = std::uint64_t{1} << 24U, kPixelsPerByte = 8192;
 
 class MemoryStream : public Imf::IStream {
 public:
@@ -40,7 +38,6 @@ public:
     }
     std::uint64_t tellg() override { return next_; }
     void seekg(std::uint64_t position) override { next_ = position; }
-    [[nodiscard]] std::uint64_t size() const { return bytes_.size(); }
 
 private:
     std::span<const std::uint8_t> bytes_;
@@ -105,10 +102,10 @@ private:
     Image image_;
 };
 
-void checkWindows(const std::string& name, const Window& data, const Window& display, std::uint64_t fileBytes) {
+void checkWindows(const std::string& name, const Window& data, const Window& display) {
     const bool empty = data.width <= 0 || data.height <= 0 || display.width <= 0 || display.height <= 0;
-    if (empty || data.pixels() > std::min(kMostPixels, std::max(kFreePixels, fileBytes * kPixelsPerByte)) ||
-        display.pixels() > kMostPixels || display.pixels() > std::max(kFreePixels, data.pixels() * 16)) {
+    if (empty || data.pixels() > kMostPixels || display.pixels() > kMostPixels ||
+        display.pixels() > std::max(kExrFreePixels, data.pixels() * 16)) {
         throw FileError(name, "OpenEXR: the data or display window is empty or too large");
     }
 }
@@ -158,7 +155,7 @@ Image decode(const std::string& name, MemoryStream& stream) {
         throw FileError(name, "OpenEXR: deep images are not supported; flatten it");
     }
     const Window data(header.dataWindow()), display(header.displayWindow());
-    checkWindows(name, data, display, stream.size());
+    checkWindows(name, data, display);
     const bool chroma = header.channels().findChannel("RY") && header.channels().findChannel("BY");
     const std::vector<std::string> channels =
         chroma ? std::vector<std::string>{"R", "G", "B"} : pickChannels(name, header.channels());
@@ -175,6 +172,7 @@ Image decode(const std::string& name, MemoryStream& stream) {
 
 Image decodeExr(const std::string& name, std::span<const std::uint8_t> bytes) {
     try {
+        checkExrHeaders(name, bytes);
         MemoryStream stream(name, bytes);
         return decode(name, stream);
     } catch (const Iex::BaseExc& fault) {

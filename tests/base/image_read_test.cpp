@@ -319,6 +319,34 @@ TEST_F(ImageRead, BrokenExr) {
     EXPECT_THROW((void)readImage(folder_ / "b.exr"), FileError);
 }
 
+// The library would allocate what these ask for before it found that the file holds less.
+TEST_F(ImageRead, ExrHeadersThatAskForMoreThanTheFileHolds) {
+    writeExr(folder_ / "a.exr", Imf::Header(64, 64), {{"Y", Imf::FLOAT}});
+    const std::string good = readText(folder_ / "a.exr");
+    const auto withValue = [&](const std::string& attribute, std::size_t offset, std::int32_t value) {
+        std::string bytes = good;
+        const std::size_t at = bytes.find(attribute) + attribute.size() + offset;
+        return bytes.replace(at, sizeof value, reinterpret_cast<const char*>(&value), sizeof value);
+    };
+    const std::string compression("compression\0compression\0", 24), window("dataWindow\0box2i\0", 17);
+    expectFault(withValue(compression, 0, 0x7fffffff), "an attribute states 2147483647 bytes");
+    expectFault(withValue(compression, 0, -1), "an attribute states -1 bytes");
+    expectFault(withValue(window, 16, 2000000), "64x2000001 pixels in");
+    expectFault(withValue(window, 16, 60000), "3751 chunks in");
+    expectFault(withValue(window, 16, -1), "the data window is empty");
+
+    Imf::Header tiled(512, 512);
+    tiled.setTileDescription(Imf::TileDescription(512, 512));
+    {
+        tiled.channels().insert("Y", Imf::Channel(Imf::HALF));
+        Imf::TiledOutputFile out((folder_ / "b.exr").c_str(), tiled);
+    }
+    std::string bytes = readText(folder_ / "b.exr");
+    const std::string tiles("tiles\0tiledesc\0", 15);
+    bytes.replace(bytes.find(tiles) + tiles.size() + 4, 8, std::string("\1\0\0\0\1\0\0\0", 8));
+    expectFault(bytes, "262144 chunks in");
+}
+
 TEST_F(ImageRead, DamagedBytesNeverEndInAnythingButAFileError) {
     writeExr(folder_ / "a.exr", Imf::Header(16, 16), {{"R", Imf::HALF}, {"G", Imf::HALF}, {"B", Imf::HALF}});
     const std::string samples[] = {readText(folder_ / "a.exr"), plainPng(16),
