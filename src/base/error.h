@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "base/printable.h"
+
 namespace vkpt {
 
 /// Process exit codes, the same for every command.
@@ -32,7 +34,8 @@ private:
 /// `file: what is wrong and how to mend it`; exit 4.
 class FileError : public Error {
 public:
-    FileError(const std::string& file, const std::string& fault) : Error(ExitCode::File, file + ": " + fault) {}
+    FileError(const std::string& file, const std::string& fault)
+        : Error(ExitCode::File, printable(file + ": " + fault)) {}
 };
 
 /// Vulkan is absent, lost or out of memory; exit 5.

@@ -4,8 +4,12 @@
 
 namespace vkpt {
 
+std::string jsonText(const Json& json, int indent) {
+    return json.dump(indent, ' ', false, Json::error_handler_t::replace) + (indent < 0 ? "" : "\n");
+}
+
 void writeJsonFile(const std::filesystem::path& path, const Json& json) {
-    const std::string text = json.dump(2) + "\n";
+    const std::string text = jsonText(json);
     writeFileAtomically(path, std::as_bytes(std::span(text)));
 }
 

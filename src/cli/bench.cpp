@@ -98,7 +98,7 @@ ExitCode runBench(BenchCommand& c) {
         report["results"].push_back(benchBackend(c, prepared, backend));
         if (!c.json) printResult(report["results"].back());
     }
-    if (c.json) std::cout << report.dump(2) << '\n';
+    if (c.json) std::cout << jsonText(report);
     return ExitCode::Ok;
 }
 

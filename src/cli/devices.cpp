@@ -56,7 +56,7 @@ ExitCode runDevices(bool json) {
     if (json) {
         Json list = Json::array();
         for (const DeviceInfo& device : devices) list.push_back(deviceJson(device));
-        std::cout << list.dump(2) << '\n';
+        std::cout << jsonText(list);
     } else {
         for (const DeviceInfo& device : devices) std::cout << deviceText(device);
     }

@@ -25,7 +25,7 @@ ExitCode runInfo(const InfoCommand& c) {
     SceneArrays arrays = flatten(scene);
     buildBvh(arrays);
     const Json info = sceneInfo(scene, arrays);
-    std::cout << (c.json ? info.dump(2) + "\n" : sceneInfoText(info));
+    std::cout << (c.json ? jsonText(info) : sceneInfoText(info));
     return ExitCode::Ok;
 }
 

@@ -62,7 +62,7 @@ std::string settingsHash(const PreparedScene& prepared) {
     hash.addFile(prepared.file);
     for (const std::filesystem::path& file : prepared.sceneFiles) hash.addFile(file);
     if (!prepared.envFile.empty()) hash.addFile(prepared.envFile);
-    return hash.add(renderSettings(prepared).dump()).hex();
+    return hash.add(jsonText(renderSettings(prepared), -1)).hex();
 }
 
 ImageMetadata imageMetadata(const PreparedScene& prepared, const RenderReport& report, const Film& film) {
@@ -70,7 +70,7 @@ ImageMetadata imageMetadata(const PreparedScene& prepared, const RenderReport& r
     return {{"software", std::string(kSoftware)},
             {"vkpt:version", std::string(kVersion)},
             {"vkpt:scene", prepared.file.filename().string()},
-            {"vkpt:settings", renderSettings(prepared).dump()},
+            {"vkpt:settings", jsonText(renderSettings(prepared), -1)},
             {"vkpt:settingsHash", settingsHash(prepared)},
             {"vkpt:spp", std::to_string(film.samples())},
             {"vkpt:samples", fmt::format("{}:{}", film.sampleBegin, film.sampleEnd)},

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "base/error.h"
+#include "base/memory.h"
 #include "gltf/model.h"
 #include "gltf/rules.h"
 #include "gltf/schema.h"
@@ -166,6 +167,12 @@ void Document::countElements(std::uint64_t elements) const {
     if (taken > kFree + bytesLoaded_ * kMostElements)
         fail("meshes: their primitives draw {} elements out of buffers of {} bytes: too often the same", taken,
              bytesLoaded_.load());
+}
+
+void Document::countImage(std::uint64_t bytes) const {
+    const std::uint64_t total = imageBytes_ += bytes;
+    if (total > physicalMemory())
+        fail("images: decoded they take more than the {} MiB of memory of this machine", physicalMemory() >> 20U);
 }
 
 void Document::throwFault(const std::string& fault) const { throw FileError(file_.string(), fault); }

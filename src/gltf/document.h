@@ -62,6 +62,8 @@ public:
     /// Counts elements that a primitive is about to take from accessors, whose buffers are loaded. Many primitives may
     /// share an accessor, but memory must not outgrow the file: throws FileError beyond kMostElements for each byte.
     void countElements(std::uint64_t elements) const;
+    /// Counts bytes of decoded images. Throws FileError once they are more than the machine has.
+    void countImage(std::uint64_t bytes) const;
 
     /// Throws FileError(file, "place: fault").
     template <typename... Args>
@@ -90,7 +92,7 @@ private:
     mutable std::deque<Buffer> buffers_;
     mutable std::mutex filesMutex_;
     mutable std::set<std::filesystem::path> files_;
-    mutable std::atomic<std::uint64_t> elementsTaken_ = 0, bytesLoaded_ = 0;
+    mutable std::atomic<std::uint64_t> elementsTaken_ = 0, bytesLoaded_ = 0, imageBytes_ = 0;
 };
 
 /// `object[key]`, or null where it is absent.

@@ -32,6 +32,7 @@ TextureImage loadImage(const Document& document, std::size_t index, std::vector<
         fault = "is neither PNG nor JPEG";
     image.name = encoded.name;
     if (image.texels.empty()) document.fail("{}: {}", place, fault);
+    document.countImage(image.texels.size() * sizeof image.texels[0]);
     if (!fault.empty()) warnings.push_back(fmt::format("{}: {}", place, fault));
     return image;
 }

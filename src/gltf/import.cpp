@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "base/printable.h"
 #include "gltf/attachments.h"
 #include "gltf/extensions.h"
 #include "gltf/geometry.h"
@@ -137,6 +138,7 @@ Scene importGltf(std::span<const unsigned char> bytes, const std::filesystem::pa
     reportExtensions(document, scene);
     Importer(document, scene).run(placeNodes(document, options.scene, scene.warnings));
     scene.files = document.filesRead();
+    for (std::string& warning : scene.warnings) warning = printable(std::move(warning));
     return scene;
 }
 

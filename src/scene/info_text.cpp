@@ -1,6 +1,7 @@
 // The table that `vkpt info` prints.
 #include <fmt/format.h>
 
+#include "base/printable.h"
 #include "scene/info.h"
 
 namespace vkpt {
@@ -46,7 +47,7 @@ std::string vector(const Json& v) {
     return text;
 }
 
-std::string text(const Json& v) { return v.get<std::string>(); }
+std::string text(const Json& v) { return printable(v.get<std::string>()); }
 
 std::string named(const Json& entry) { return text(entry["name"]).empty() ? "(unnamed)" : text(entry["name"]); }
 

@@ -1,9 +1,12 @@
 #include "scene/placements.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 
 #include "base/error.h"
+#include "base/memory.h"
 
 namespace vkpt {
 namespace {
@@ -44,12 +47,45 @@ void addJobs(GeometryPlan& plan, const Mesh& mesh, const glm::mat4& matrix, std:
     }
 }
 
-void checkSize(const Scene& scene, const GeometryPlan& plan) {
-    std::uint64_t triangles = 0;
-    for (const GeometryJob& job : plan.jobs) triangles += job.primitive->triangles.size();
-    if (plan.vertices >= kNone || triangles >= kNone) {
-        throw FileError(scene.path.string(), "geometry: more than 2^32 vertices or triangles; split the scene");
+/// What writing a mesh once takes.
+struct Size {
+    std::uint64_t primitives = 0, vertices = 0, triangles = 0;
+
+    void operator+=(const Size& other) {
+        primitives += other.primitives;
+        vertices += other.vertices;
+        triangles += other.triangles;
     }
+    [[nodiscard]] std::uint64_t bytes() const {
+        return primitives * sizeof(GeometryJob) +
+               vertices * (sizeof(VertexRecord) + sizeof(VertexExtra) + sizeof(glm::vec3)) +
+               triangles * sizeof(TriangleRecord);
+    }
+};
+
+Size sizeOf(const Mesh& mesh) {
+    Size size{mesh.primitives.size(), 0, triangleCount(mesh)};
+    for (const Primitive& primitive : mesh.primitives) size.vertices += primitive.positions.size();
+    return size;
+}
+
+/// A mesh placed again and again makes much of a small file: says so before memory runs out.
+void checkSize(const Scene& scene, const std::vector<MeshUse>& uses) {
+    std::vector<Size> sizes;
+    for (const Mesh& mesh : scene.meshes) sizes.push_back(sizeOf(mesh));
+    Size all;
+    for (const MeshInstance& instance : scene.instances)
+        if (uses[instance.mesh].range[handedness(instance.worldFromObject) < 0 ? 1 : 0] == kBaked)
+            all += sizes[instance.mesh];
+    for (std::size_t i = 0; i < uses.size(); ++i)
+        for (const std::uint32_t range : uses[i].range)
+            if (range != kBaked) all += sizes[i];
+    if (all.vertices >= kNone || all.triangles >= kNone)
+        throw FileError(scene.path.string(), "geometry: more than 2^32 vertices or triangles; split the scene");
+    if (all.bytes() > physicalMemory())
+        throw FileError(scene.path.string(),
+                        fmt::format("geometry: {} placed triangles take {} MiB; this machine has {}", all.triangles,
+                                    all.bytes() >> 20U, physicalMemory() >> 20U));
 }
 
 }  // namespace
@@ -71,6 +107,7 @@ GeometryPlan planGeometry(const Scene& scene, const FlattenOptions& options,
         }
     }
 
+    checkSize(scene, uses);
     for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
         const MeshInstance& instance = scene.instances[i];
         const double sign = handedness(instance.worldFromObject);
@@ -92,7 +129,6 @@ GeometryPlan planGeometry(const Scene& scene, const FlattenOptions& options,
             if (range != kBaked) addJobs(plan, scene.meshes[i], hand == 1 ? kMirror : glm::mat4(1), 0, range);
         }
     }
-    checkSize(scene, plan);
     return plan;
 }
 

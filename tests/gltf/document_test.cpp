@@ -240,6 +240,14 @@ TEST_F(DocumentTest, HarmlessSlipsAreWarnings) {
                                      HasSubstr("does not name KHR_materials_unlit, which the file uses")));
 }
 
+TEST_F(DocumentTest, NamesCannotBreakALineOrSteerATerminal) {
+    builder.json["extensionsRequired"] = {"EXT_\n\x1b[2Jx"};
+    EXPECT_THAT(faultOf(builder), HasSubstr("needs EXT_??[2Jx, which"));
+    builder.json["extensionsUsed"] = builder.json["extensionsRequired"];
+    builder.json.erase("extensionsRequired");
+    EXPECT_THAT(builder.import().warnings, testing::ElementsAre(HasSubstr("EXT_??[2Jx is not supported")));
+}
+
 TEST_F(DocumentTest, TakesIntegersInFloatingPointForm) {
     builder.json["accessors"][0]["count"] = 3.0;
     builder.json["accessors"][0]["componentType"] = 5126.0;
