@@ -15,7 +15,7 @@ using Bytes = std::vector<std::byte>;
 using ImageMetadata = std::vector<std::pair<std::string, std::string>>;
 
 /// PNG of display values in [0, 1], 3 or 4 channels (straight alpha), 8 or 16 bits a channel, rounded to nearest.
-/// 16-bit files carry `metadata` as text chunks and are tagged sRGB; the 8-bit encoder knows neither.
+/// Files carry `metadata` as text chunks and are tagged sRGB.
 /// Throws Error where the encoder refuses.
 [[nodiscard]] Bytes encodePng(const Image& display, int bits, const ImageMetadata& metadata);
 

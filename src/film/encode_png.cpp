@@ -1,10 +1,10 @@
 #include <spng.h>
-#include <stb_image_write.h>
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <memory>
 #include <new>
 #include <utility>
@@ -15,28 +15,14 @@
 namespace vkpt {
 namespace {
 
-/// Values in [0, 1] to integers in [0, maximum], rounded to nearest.
+/// Values in [0, 1] to integers of the whole range, rounded to nearest.
 template <typename T>
-std::vector<T> quantise(const std::vector<float>& values, float maximum) {
+std::vector<T> quantise(const std::vector<float>& values) {
+    constexpr float kMaximum = std::numeric_limits<T>::max();
     std::vector<T> integers(values.size());
     std::transform(values.begin(), values.end(), integers.begin(),
-                   [maximum](float v) { return static_cast<T>(std::lround(v * maximum)); });
+                   [](float v) { return static_cast<T>(std::lround(v * kMaximum)); });
     return integers;
-}
-
-Bytes encode8(const Image& display) {
-    const std::vector<std::uint8_t> values = quantise<std::uint8_t>(display.pixels, 255.0F);
-    Bytes bytes;
-    const auto append = [](void* context, void* data, int size) {
-        const auto* first = static_cast<const std::byte*>(data);
-        auto& sink = *static_cast<Bytes*>(context);
-        sink.insert(sink.end(), first, first + size);
-    };
-    const int width = static_cast<int>(display.width), channels = static_cast<int>(display.channels);
-    if (stbi_write_png_to_func(append, &bytes, width, static_cast<int>(display.height), channels, values.data(),
-                               width * channels) == 0)
-        throw Error(ExitCode::Internal, "the PNG encoder failed");
-    return bytes;
 }
 
 void check(int result) {
@@ -71,21 +57,22 @@ private:
     std::vector<spng_text> chunks_;
 };
 
-Bytes encode16(const Image& display, const ImageMetadata& metadata) {
+template <typename T>
+Bytes encode(const Image& display, const ImageMetadata& metadata) {
     TextChunks texts(metadata);
-    const std::vector<std::uint16_t> values = quantise<std::uint16_t>(display.pixels, 65535.0F);
+    const std::vector<T> values = quantise<T>(display.pixels);
     const std::unique_ptr<spng_ctx, void (*)(spng_ctx*)> context(spng_ctx_new(SPNG_CTX_ENCODER), spng_ctx_free);
     if (!context) throw std::bad_alloc();
     check(spng_set_option(context.get(), SPNG_ENCODE_TO_BUFFER, 1));
     spng_ihdr header{};
     header.width = display.width;
     header.height = display.height;
-    header.bit_depth = 16;
+    header.bit_depth = 8 * sizeof(T);
     header.color_type = display.channels == 4 ? SPNG_COLOR_TYPE_TRUECOLOR_ALPHA : SPNG_COLOR_TYPE_TRUECOLOR;
     check(spng_set_ihdr(context.get(), &header));
     check(spng_set_srgb(context.get(), 0));  // perceptual intent
     texts.set(context.get());
-    check(spng_encode_image(context.get(), values.data(), values.size() * sizeof(values[0]), SPNG_FMT_PNG,
+    check(spng_encode_image(context.get(), values.data(), values.size() * sizeof(T), SPNG_FMT_PNG,
                             SPNG_ENCODE_FINALIZE));
     std::size_t size = 0;
     int result = SPNG_OK;
@@ -99,7 +86,7 @@ Bytes encode16(const Image& display, const ImageMetadata& metadata) {
 
 Bytes encodePng(const Image& display, int bits, const ImageMetadata& metadata) {
     assert((bits == 8 || bits == 16) && (display.channels == 3 || display.channels == 4));
-    return bits == 8 ? encode8(display) : encode16(display, metadata);
+    return bits == 8 ? encode<std::uint8_t>(display, metadata) : encode<std::uint16_t>(display, metadata);
 }
 
 }  // namespace vkpt

@@ -69,11 +69,11 @@ TEST_F(WriteImage, Png8KeepsStraightAlpha) {
     EXPECT_EQ(read.get()[4], std::lround(255 * srgbEncode(image.pixels[4] * 2)));
 }
 
-TEST_F(WriteImage, Png16RoundTripWithMetadata) {
+TEST_F(WriteImage, Png16RoundTrip) {
     const Image image = gradient();
     WriteOptions options = kPlain;
     options.pngBits = 16;
-    writeImage(file("a.png"), image, options, {{"vkpt:spp", "64"}, {"vkpt:scene", "hélmet.glb"}});
+    writeImage(file("a.png"), image, options, {});
     const std::string bytes = readText(file("a.png"));
     const std::unique_ptr<spng_ctx, void (*)(spng_ctx*)> context(spng_ctx_new(0), spng_ctx_free);
     ASSERT_EQ(spng_set_png_buffer(context.get(), bytes.data(), bytes.size()), 0);
@@ -86,13 +86,26 @@ TEST_F(WriteImage, Png16RoundTripWithMetadata) {
     for (std::uint32_t i = 0; i < 15; ++i)
         for (std::uint32_t c = 0; c < 3; ++c)
             EXPECT_EQ(values[3 * i + c], std::lround(65535 * srgbEncode(image.pixels[4 * i + c])));
-    std::uint32_t count = 0;
-    ASSERT_EQ(spng_get_text(context.get(), nullptr, &count), 0);
-    ASSERT_EQ(count, 2U);
-    std::vector<spng_text> texts(count);
-    ASSERT_EQ(spng_get_text(context.get(), texts.data(), &count), 0);
-    EXPECT_STREQ(texts[0].keyword, "vkpt:spp");
-    EXPECT_STREQ(texts[1].text, "hélmet.glb");
+}
+
+TEST_F(WriteImage, PngCarriesMetadata) {
+    for (const int bits : {8, 16}) {
+        WriteOptions options = kPlain;
+        options.pngBits = bits;
+        writeImage(file("a.png"), gradient(), options, {{"vkpt:spp", "64"}, {"vkpt:scene", "hélmet.glb"}});
+        const std::string bytes = readText(file("a.png"));
+        const std::unique_ptr<spng_ctx, void (*)(spng_ctx*)> context(spng_ctx_new(0), spng_ctx_free);
+        ASSERT_EQ(spng_set_png_buffer(context.get(), bytes.data(), bytes.size()), 0);
+        std::uint8_t intent = 1;
+        EXPECT_EQ(spng_get_srgb(context.get(), &intent), 0) << "tagged sRGB";
+        std::uint32_t count = 0;
+        ASSERT_EQ(spng_get_text(context.get(), nullptr, &count), 0);
+        ASSERT_EQ(count, 2U);
+        std::vector<spng_text> texts(count);
+        ASSERT_EQ(spng_get_text(context.get(), texts.data(), &count), 0);
+        EXPECT_STREQ(texts[0].keyword, "vkpt:spp");
+        EXPECT_STREQ(texts[1].text, "hélmet.glb");
+    }
 }
 
 TEST_F(WriteImage, ExrRoundTripIsExactAndCarriesMetadata) {
