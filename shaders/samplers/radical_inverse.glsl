@@ -4,7 +4,7 @@
 // 16 bits an element.
 #ifndef VKPT_SAMPLERS_RADICAL_INVERSE
 #define VKPT_SAMPLERS_RADICAL_INVERSE
-#include "samplers/strata.glsl"
+#include "samplers/bits.glsl"
 
 uint faureDigit(uint first, uint digit) {
     uint element = first + digit;
@@ -12,9 +12,9 @@ uint faureDigit(uint first, uint digit) {
 }
 
 // Inverse of `index` in prime number `d`, 32-bit fixed point; digits beyond 24 bits do not count.
-// none; faure: one permutation a base [Faure 92]; digit: one a place, drawn by `key`; owen: one a node of the digit
-// tree. Two values never get one digit, and any two get any two others alike where the map is affine with random
-// coefficients, which is all that the variance of nested uniform scrambling rests on. [Owen 03]
+// none; faure: one permutation a base [Faure 92]; digit: a random one a place; owen: a random one a node of the digit
+// tree. Random ones are affine maps modulo b: any two digits go to any two others alike, which is all that the variance
+// of nested uniform scrambling rests on. [Owen 03]
 uint radicalInverse(uint index, uint d, uint key) {
     uvec4 entry = sceneWord(scene.samplerTable + d);
     Divisor base = Divisor(entry.x & 0x7ffu, entry.y);
@@ -24,13 +24,9 @@ uint radicalInverse(uint index, uint d, uint key) {
         rest = split.x;
         uint digit = split.y;
         if (kScramble == kScrambleFaure) digit = faureDigit(entry.w, digit);
-        if (kScramble == kScrambleDigit) {
-            key = mixBits(key);
-            digit = permute(digit, base, key);
-        }
-        if (kScramble == kScrambleOwen) {
+        if (kScramble == kScrambleDigit || kScramble == kScrambleOwen) {
             uint node = mixBits(key);
-            key = node ^ digit;
+            key = kScramble == kScrambleOwen ? node ^ digit : node;
             uint factor = 1u + (((node * 0x9e3779b9u) >> 16u) * (base.d - 1u) >> 16u);
             digit = divide(factor * digit + multiplyHigh(node, base.d), base).y;
         }

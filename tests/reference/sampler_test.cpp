@@ -55,7 +55,7 @@ TEST(EverySampler, EqualsWorkedValues) {
         {SamplerId::Orthogonal, id, 10, 0x1ebc4e7aU},
         {SamplerId::Orthogonal, {pack(3, 5), 130, 64, 11}, 13, 0xfbca8b44U},
         {SamplerId::Halton, id, 10, 0x2ff59dedU},
-        {{SamplerId::Halton, ScrambleId::Digit}, id, 10, 0xd04ebe58U},
+        {{SamplerId::Halton, ScrambleId::Digit}, id, 10, 0x2a487cd0U},
         {{SamplerId::Halton, ScrambleId::None}, id, 10, 0x39ce739cU},
         {SamplerId::Sobol02, id, 10, 0xc8eb49ceU},
         {SamplerId::Sobol02, id, 11, 0x1d778304U},

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "reference/samplers/bits.h"
-#include "reference/samplers/strata.h"
 #include "scene/primes.h"
 
 namespace vkpt::reference {
@@ -22,21 +21,23 @@ public:
                 return faureDigit(digit, base_);
             case ScrambleId::Digit:
                 key_ = mixBits(key_);
-                return permute(digit, base_, key_);
-            case ScrambleId::Owen:
-                return nested(digit);
+                return permuted(digit);
+            case ScrambleId::Owen: {
+                key_ = mixBits(key_);
+                const std::uint32_t result = permuted(digit);
+                key_ ^= digit;  // the permutations below this digit are its own
+                return result;
+            }
             default:
                 return digit;
         }
     }
 
 private:
-    /// An affine map modulo the base, a random one for each sequence of digits before this one. [Owen 03]
-    std::uint32_t nested(std::uint32_t digit) {
-        const std::uint32_t node = mixBits(key_);
-        key_ = node ^ digit;
-        const std::uint32_t factor = 1 + (node * 0x9e3779b9U >> 16U) * (base_ - 1) / 65536, offset = scaled(node, base_);
-        return (factor * digit + offset) % base_;
+    /// A random affine map modulo the base: any two digits go to any two others alike. [Owen 03]
+    [[nodiscard]] std::uint32_t permuted(std::uint32_t digit) const {
+        const std::uint32_t factor = 1 + (key_ * 0x9e3779b9U >> 16U) * (base_ - 1) / 65536;
+        return (factor * digit + scaled(key_, base_)) % base_;
     }
 
     ScrambleId scramble_;
