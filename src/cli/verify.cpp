@@ -89,6 +89,7 @@ ExitCode runLadder(const VerifyCommand& c, const PreparedScene& prepared) {
     if (!c.json)
         std::cout << fmt::format("{}: {}x{}, {} samples a pixel, seed {}\n", prepared.file.string(), p.width, p.height,
                                  prepared.options.sampleEnd - prepared.options.sampleBegin, p.seed);
+    if (!c.report.empty()) makeReportFolder(c.report);
     std::unique_ptr<ProgressBar> bar;
     VerifyConfig config = configOf(c);
     config.progress = [&](std::uint64_t done, std::uint64_t total) {

@@ -9,6 +9,7 @@ namespace {
 constexpr std::array kChecks = {
     Check{Rung::Layout, "shared structs", "shared/layout.h in both fetch forms: to the bit", checkLayout},
     Check{Rung::Layout, "path state", "kernels/state.glsl: arrays, counters, queues, push constants", checkState},
+    Check{Rung::Layout, "specialization", "every specialization constant, by name", checkSpecialization},
 
     Check{Rung::Integers, "hash", "pcg4d and its floats: to the bit", checkHash},
     Check{Rung::Integers, "samplers", "bits of every sampler of the registry: to the bit", checkSamplers},

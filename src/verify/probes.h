@@ -8,6 +8,7 @@ class Findings;
 
 void checkLayout(VerifyContext&, Findings&);
 void checkState(VerifyContext&, Findings&);
+void checkSpecialization(VerifyContext&, Findings&);
 
 void checkHash(VerifyContext&, Findings&);
 void checkSamplers(VerifyContext&, Findings&);

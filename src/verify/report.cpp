@@ -27,20 +27,19 @@ Image tileStatistics(const ReplicateResult& result) {
     return image;
 }
 
-void makeFolder(const std::filesystem::path& folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error) throw FileError(folder.string(), fmt::format("cannot be made: {}", error.message()));
-}
-
 void writeBytes(const std::filesystem::path& path, std::span<const std::byte> bytes) {
     writeFileAtomically(path, bytes);
 }
 
 }  // namespace
 
+void makeReportFolder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) throw FileError(folder.string(), fmt::format("cannot be made: {}", error.message()));
+}
+
 void writeReport(VerifyContext& context, const ReportInput& input) {
-    makeFolder(input.folder);
     const SameSeedImages& same = context.sameSeed();
     const Image device = filmToImage(same.device), reference = filmToImage(same.reference);
     writeImage(input.folder / "gpu.exr", device, {}, input.deviceMetadata);

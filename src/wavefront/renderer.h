@@ -75,7 +75,8 @@ public:
 
     /// Renders the options' sample range; stops early, after a pass, where `control` says so.
     [[nodiscard]] Film render(const RenderControl& control, WavefrontStats* stats = nullptr);
-    /// From now on renders samples [begin, end) under `seed`; the other options stay.
+    /// From now on renders samples [begin, end) under `seed`; the other options stay, spp among them, which is the end
+    /// of what may be selected.
     void select(std::uint32_t seed, std::uint32_t begin, std::uint32_t end);
     /// Renders the options' sample range of `pixelCount` pixels from `firstPixel` on (row by row, within one band of
     /// the film) in one batch, and shows `observer` the device after every kernel. Returns the pixels' sums. Throws

@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "verify/context.h"
-#include "verify/inputs/scenes.h"
+#include "verify/test_context.h"
 
 namespace vkpt {
 
@@ -18,14 +17,7 @@ namespace {
 
 /// One for all tests: probes are compiled once.
 VerifyContext& context() {
-    static const SceneArrays scene = makeEverything();
-    static const RenderOptions options = makeOptions(48, 32, 2);
-    static VerifyContext context(scene, options, [] {
-        VerifyConfig config;
-        config.wavefront.device = getenv("VKPT_TEST_DEVICE") ? getenv("VKPT_TEST_DEVICE") : "";
-        config.wavefront.validation = true;
-        return config;
-    }());
+    static VerifyContext context(everyFeature(), smallOptions(), testConfig(true));
     return context;
 }
 

@@ -1,7 +1,5 @@
 #include "verify/images.h"
 
-#include "reference/path.h"
-#include "reference/render.h"
 #include "verify/context.h"
 #include "verify/replay.h"
 
@@ -20,22 +18,6 @@ std::string locate(VerifyContext& context, const PathDifferences::Parted& path) 
     if (!parting) return place;
     return fmt::format("{}, bounce {}: {} {} instead of {}", place, parting->bounce, parting->row, parting->device,
                        parting->reference);
-}
-
-/// Whether every dimension a path uses changes with the seed.
-bool isRandomised(const SceneArrays& scene, RenderOptions options) {
-    constexpr std::uint32_t kDimensions = 64, kSamples = 16;
-    const reference::PathTracer one(scene, options);
-    RenderOptions otherOptions = options;
-    otherOptions.params.seed = ~options.params.seed;
-    const reference::PathTracer other(scene, otherOptions);
-    for (std::uint32_t dim = 0; dim < kDimensions; ++dim) {
-        bool differs = false;
-        for (std::uint32_t index = 0; index < kSamples && !differs; ++index)
-            differs = one.sampleOf(3, 2, index).get1D(dim) != other.sampleOf(3, 2, index).get1D(dim);
-        if (!differs) return false;
-    }
-    return true;
 }
 
 void tellMean(Findings& f, const MeanComparison& c) {
@@ -71,7 +53,7 @@ void checkSameSeed(VerifyContext& context, Findings& f) {
 }
 
 void checkOtherSeeds(VerifyContext& context, Findings& f) {
-    if (!isRandomised(context.scene(), context.options()))
+    if (!context.options().sampler.isRandomised())
         return f.refuse(
             "the sampler gives the same numbers for every seed, so replicates would be copies; choose a "
             "randomised one");

@@ -8,7 +8,10 @@
 namespace vkpt {
 
 void PathDifferences::add(const Film& device, const Film& reference) {
-    const Image a = filmToImage(device), b = filmToImage(reference);
+    add(filmToImage(device), filmToImage(reference), reference.sampleBegin);
+}
+
+void PathDifferences::add(const Image& a, const Image& b, std::uint32_t index) {
     for (std::uint32_t y = 0; y < b.height; ++y)
         for (std::uint32_t x = 0; x < b.width; ++x) {
             bool off = false;
@@ -26,7 +29,7 @@ void PathDifferences::add(const Film& device, const Film& reference) {
             if (!off) continue;
             ++parted_;
             partedSum_ += size;
-            if (!worst_ || size > worst_->size) worst_ = {x, y, reference.sampleBegin, size};
+            if (!worst_ || size > worst_->size) worst_ = {x, y, index, size};
         }
 }
 

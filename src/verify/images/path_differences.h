@@ -21,6 +21,8 @@ public:
     };
 
     void add(const Film& device, const Film& reference);
+    /// The same of images of sample `index`, one a pixel.
+    void add(const Image& device, const Image& reference, std::uint32_t index);
 
     [[nodiscard]] std::uint64_t paths() const { return paths_; }
     [[nodiscard]] std::uint64_t parted() const { return parted_; }

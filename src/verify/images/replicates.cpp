@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace vkpt {
 namespace {
@@ -23,12 +24,15 @@ struct Area {
     void judge() {
         result.a = momentsOf(a);
         result.b = momentsOf(b);
+        if (!std::isfinite(result.a.variance + result.b.variance)) {  // no number is no agreement
+            result.test = {std::numeric_limits<double>::infinity(), 0, 0};
+            return;
+        }
         Moments shifted = result.a;  // towards b by what rounding may do
         const double difference = result.a.mean - result.b.mean;
         const double allowed = ReplicateResult::kRounding * std::abs(result.a.mean + result.b.mean) / 2;
         shifted.mean -= std::copysign(std::min(std::abs(difference), allowed), difference);
         result.test = welchTest(shifted, result.b);
-        if (std::isnan(result.test.p)) result.test.p = 0;  // no number is no agreement
     }
 };
 

@@ -6,6 +6,7 @@
 #include "verify/context.h"
 #include "verify/inputs/random_inputs.h"
 #include "verify/probes.h"
+#include "wavefront/kernels.h"
 #include "wavefront/layout.h"
 
 namespace vkpt {
@@ -25,7 +26,7 @@ void appendAll(Prober& prober, Findings& findings, const Choices& choices, const
     const std::vector<QueueCounter> fresh(3 * kQueues);
     const Buffer counters = makeStorage<QueueCounter>(device, fresh, "append counters");
     ProbeOptions options;
-    options.specialization = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, form.ballot ? 1U : 0U};
+    options.specialization = specializationOf({}, {}, {.useBallot = form.ballot});
     options.extraKinds = {BindingKind::StorageBuffer};
     options.extra = {counters};
     const auto out = prober.evaluate<glm::uvec4>(form.portable ? "append_portable" : "append", choices, options);

@@ -9,6 +9,7 @@
 #include "gpu/transfer.h"
 #include "verify/context.h"
 #include "verify/probes.h"
+#include "wavefront/kernels.h"
 
 namespace vkpt {
 namespace {
@@ -112,15 +113,15 @@ void checkLayout(VerifyContext& context, Findings& findings) {
 
     std::vector<Word> kinds(kStructs.size());
     for (std::uint32_t i = 0; i < kinds.size(); ++i) kinds[i][0] = i;
-    for (const std::uint32_t fetchTexel : {0U, 1U}) {
+    for (const bool fetchTexel : {false, true}) {
         const auto read = context.prober().evaluate<Fields>(
             "layout", kinds,
-            {.specialization = {0, fetchTexel},
+            {.specialization = specializationOf({.textureTransforms = true}, {}, {.fetchTexel = fetchTexel}),
              .extraKinds = {BindingKind::UniformBuffer, BindingKind::StorageBuffer, BindingKind::StorageTexel},
              .extra = {frame, scene, texels}});
         for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
             const auto scope = findings.inputs([&](std::size_t field) {
-                return fmt::format("{}, field {}, by {}", kStructs[kind], field, fetchTexel != 0 ? "texel" : "storage");
+                return fmt::format("{}, field {}, by {}", kStructs[kind], field, fetchTexel ? "texel" : "storage");
             });
             for (std::size_t field = 0; field < kFieldsRoom; ++field) {
                 findings.at(field);

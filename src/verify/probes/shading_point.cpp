@@ -135,8 +135,9 @@ void compareLights(Prober& prober, Findings& findings) {
 void checkShadingPoint(VerifyContext& context, Findings& findings) {
     Prober& prober = context.prober();
     const SceneArrays baked = makeArrays(makePatches(), {.instancing = false});
-    findings.holds("features of the baked patches",
-                   baked.instances.empty() && (baked.features.maps & 1U << kMapNormal) != 0 && baked.features.vertexExtras);
+    findings.holds("features of the baked patches", baked.instances.empty() &&
+                                                        (baked.features.maps & 1U << kMapNormal) != 0 &&
+                                                        baked.features.vertexExtras);
     comparePoints(prober, findings, "baked", baked, 6000, 50);
 
     const SceneArrays placed = makeArrays(makePatches(), {.instancing = true, .instancingThreshold = 0});

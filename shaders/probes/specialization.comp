@@ -1,0 +1,15 @@
+#version 460
+// In: nothing that counts. Out: every specialization constant, four a word. src/verify/probes/specialization.cpp lists
+// the same.
+#extension GL_GOOGLE_include_directive : require
+const uint kInputWords = 1u, kOutputWords = 5u;
+#include "probes/probe.glsl"
+
+void main() {
+    if (isIdle()) return;
+    putWord(0u, uvec4(kSampler, kFetchTexel, kHasInstances, kHasAlpha));
+    putWord(1u, uvec4(kSceneMaps, kHasVertexExtras, kHasTriangleLights, kHasTexturedEmission));
+    putWord(2u, uvec4(kHasPunctualLights, kHasEnvironment, kHasUnlit, kUseBallot));
+    putWord(3u, uvec4(kStateTexel, kHasTransforms, kMapSets, kIndexDigits));
+    putWord(4u, uvec4(kLightSteps, kRowSteps, kColumnSteps, kScramble));
+}

@@ -1,0 +1,84 @@
+// specializationOf (src/wavefront/kernels.cpp) sets the constants that shaders/specialization.glsl means.
+#include <array>
+
+#include "verify/context.h"
+#include "verify/probes.h"
+#include "wavefront/kernels.h"
+
+namespace vkpt {
+namespace {
+
+struct Constants {
+    SceneFeatures features;
+    SceneHeader header{};
+    KernelOptions options;
+};
+
+using Named = std::pair<const char*, std::uint32_t>;
+
+/// All constants by name, in the order in which the probe writes them.
+std::array<Named, 20> namesAndValues(const Constants& c) {
+    const auto& [f, h, o] = c;
+    const auto flag = [](bool b) { return b ? 1U : 0U; };
+    return {Named{"kSampler", static_cast<std::uint32_t>(o.sampler.id)},
+            {"kFetchTexel", flag(o.fetchTexel)},
+            {"kHasInstances", flag(f.instances)},
+            {"kHasAlpha", flag(f.alpha)},
+            {"kSceneMaps", f.maps},
+            {"kHasVertexExtras", flag(f.vertexExtras)},
+            {"kHasTriangleLights", flag(f.triangleLights)},
+            {"kHasTexturedEmission", flag(f.texturedEmission)},
+            {"kHasPunctualLights", flag(f.punctualLights)},
+            {"kHasEnvironment", flag(f.environment)},
+            {"kHasUnlit", flag(f.unlit)},
+            {"kUseBallot", flag(o.useBallot)},
+            {"kStateTexel", flag(o.stateTexel)},
+            {"kHasTransforms", flag(f.textureTransforms)},
+            {"kMapSets", f.mapSets},
+            {"kIndexDigits", 3},
+            {"kLightSteps", searchSteps(h.lightCount)},
+            {"kRowSteps", searchSteps(h.envHeight)},
+            {"kColumnSteps", searchSteps(h.envWidth)},
+            {"kScramble", static_cast<std::uint32_t>(o.sampler.scramble)}};
+}
+
+/// Round `bit` of a set in which no two flags are the same in all rounds; the numbers differ in any.
+Constants makeConstants(std::uint32_t bit) {
+    Constants c;
+    auto& [f, h, o] = c;
+    std::uint32_t number = 0;
+    for (bool* flag :
+         {&f.instances, &f.alpha, &f.textureTransforms, &f.vertexExtras, &f.triangleLights, &f.texturedEmission,
+          &f.punctualLights, &f.environment, &f.unlit, &o.fetchTexel, &o.useBallot, &o.stateTexel})
+        *flag = (++number >> bit & 1U) != 0;
+    f.maps = 13;
+    f.mapSets = 9;
+    h.lightCount = 1000;
+    h.envHeight = 64;
+    h.envWidth = 4000;
+    o.sampler = {static_cast<SamplerId>(7), static_cast<ScrambleId>(5)};
+    o.lastIndex = 0xabc;  // three hexadecimal digits
+    return c;
+}
+
+}  // namespace
+
+void checkSpecialization(VerifyContext& context, Findings& findings) {
+    constexpr std::uint32_t kRounds = 4;  // 12 flags
+    for (std::uint32_t round = 0; round < kRounds; ++round) {
+        const Constants constants = makeConstants(round);
+        ProbeOptions options;
+        options.specialization = specializationOf(constants.features, constants.header, constants.options);
+        const auto read = context.prober().evaluate<std::array<std::uint32_t, 20>>(
+            "specialization", std::vector<glm::uvec4>(1), options)[0];
+        const auto expected = namesAndValues(constants);
+        const auto scope = findings.inputs([&](std::size_t i) { return std::string(expected[i].first); });
+        findings.equal("number of constants", options.specialization.size(), expected.size());
+        for (std::size_t i = 0; i < expected.size(); ++i) {
+            findings.at(i);
+            findings.equal("constants", read[i], expected[i].second);
+        }
+    }
+}
+
+}  // namespace vkpt

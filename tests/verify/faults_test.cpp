@@ -1,0 +1,143 @@
+// Planted faults prove the verifier: each must be named by the check that is there for it, or be known as one that none
+// can see.
+#include "verify/faults.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+
+#include "verify/ladder.h"
+#include "verify/test_context.h"
+
+namespace vkpt {
+
+void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.about; }
+
+namespace {
+
+std::vector<Fault> shaderFaults(bool quick) {
+    std::vector<Fault> faults;
+    for (const Fault& fault : allFaults())
+        if (fault.inShaders() && fault.quick == quick) faults.push_back(fault);
+    return faults;
+}
+
+/// The first check that disagrees on the small scene, as climb() finds it; its `check` is null where none does.
+/// Samplers, which take the longest, are left out where no sampler has the fault.
+CheckResult firstDisagreement(FaultyShaders& shaders) {
+    VerifyConfig config = testConfig(false);
+    config.wavefront.kernels = shaders.kernels();
+    config.probes = shaders.probes();
+    config.replicates = 8;
+    VerifyContext context(everyFeature(), smallOptions(), config);
+    for (const Check& check : verifyChecks()) {
+        if (check.name == "samplers" && !shaders.reads("shaders/probes/samplers.comp")) continue;
+        CheckResult row;
+        row.check = &check;
+        check.run(context, row.findings);
+        if (!row.agrees()) return row;
+    }
+    return {};
+}
+
+class ShaderFault : public testing::TestWithParam<Fault> {};
+
+TEST_P(ShaderFault, IsNamedByItsCheck) {
+    const Fault& fault = GetParam();
+    FaultyShaders shaders(fault);
+    const CheckResult found = firstDisagreement(shaders);
+    EXPECT_GT(shaders.count(), 0U) << "no kernel reads the edited file";
+    if (!fault.survives.empty()) {
+        EXPECT_EQ(found.check, nullptr) << "found after all, by " << found.check->name << ": take it off the survivors";
+        return;
+    }
+    ASSERT_NE(found.check, nullptr) << "nobody sees it";
+    const Disagreement& d = *found.findings.disagreement();
+    EXPECT_EQ(found.check->name, fault.check) << d.quantity << ": " << d.what << "\n" << d.where;
+    EXPECT_FALSE(d.where.empty());
+    RecordProperty("finding", fmt::format("{}: {} ({})", d.quantity, d.what, d.where));
+}
+
+const auto nameOfFault = [](const auto& test) { return test.param.name; };
+INSTANTIATE_TEST_SUITE_P(Quick, ShaderFault, testing::ValuesIn(shaderFaults(true)), nameOfFault);
+INSTANTIATE_TEST_SUITE_P(Full, ShaderFault, testing::ValuesIn(shaderFaults(false)), nameOfFault);
+
+#ifdef VKPT_FAULTY
+
+struct Ended {
+    int code = -1;
+    std::string out;
+};
+
+/// The program with the fault active, as a user runs it.
+Ended runFaulty(const Fault& fault) {
+    const VerifyConfig config = testConfig(false);
+    const std::string device = config.wavefront.device.empty() ? "" : " --device '" + config.wavefront.device + "'";
+    const std::string command = fmt::format(
+        "VKPT_PLANTED_FAULT={} '{}' verify '{}/cornell_box/scene.gltf' --size 48x32 --spp 2 --replicates 8 -q{} 2>&1",
+        fault.number, VKPT_FAULTY, VKPT_SCENES, device);
+    Ended run;
+    FILE* pipe = popen(command.c_str(), "r");
+    if (pipe == nullptr) return run;
+    std::array<char, 4096> chunk;
+    while (const std::size_t got = fread(chunk.data(), 1, chunk.size(), pipe)) run.out.append(chunk.data(), got);
+    const int status = pclose(pipe);
+    if (WIFEXITED(status)) run.code = WEXITSTATUS(status);
+    return run;
+}
+
+class ReferenceFault : public testing::TestWithParam<Fault> {};
+
+TEST_P(ReferenceFault, EndsTheProgramWithCode2AndItsCheck) {
+    const Fault& fault = GetParam();
+    const Ended run = runFaulty(fault);
+    if (!fault.survives.empty()) {
+        EXPECT_EQ(run.code, 0) << "found after all: take it off the survivors\n" << run.out;
+        return;
+    }
+    EXPECT_EQ(run.code, 2) << run.out;
+    const auto found = std::ranges::find(verifyChecks(), std::string_view(fault.check), &Check::name);
+    ASSERT_NE(found, verifyChecks().end());
+    const auto rung = static_cast<std::size_t>(found->rung);
+    const std::string line = fmt::format("disagreement at rung {} {}, {}: ", rung + 1, kRungs[rung].name, fault.check);
+    EXPECT_NE(run.out.find(line), std::string::npos) << run.out;
+}
+
+std::vector<Fault> referenceFaults() {
+    std::vector<Fault> faults;
+    for (const Fault& fault : allFaults())
+        if (!fault.inShaders()) faults.push_back(fault);
+    return faults;
+}
+INSTANTIATE_TEST_SUITE_P(Full, ReferenceFault, testing::ValuesIn(referenceFaults()), nameOfFault);
+
+TEST(FullFaults, WithoutAnActiveFaultTheFaultyProgramAgrees) {
+    Fault none;
+    none.number = -1;
+    const Ended run = runFaulty(none);
+    EXPECT_EQ(run.code, 0) << run.out;
+}
+
+#endif
+
+TEST(Faults, AllApplyToTheSourcesAsTheyAre) {
+    for (const Fault& fault : allFaults()) {
+        const std::string text = readText(std::filesystem::path(VKPT_SOURCE) / fault.file);
+        const std::size_t first = text.find(fault.right);
+        EXPECT_NE(first, std::string::npos) << fault.name << ": its text is not in " << fault.file;
+        EXPECT_EQ(text.find(fault.right, first + 1), std::string::npos) << fault.name << ": its text stands twice";
+        const bool known = std::ranges::count(verifyChecks(), std::string_view(fault.check), &Check::name) == 1;
+        EXPECT_TRUE(known || !fault.survives.empty()) << fault.name << ": there is no check '" << fault.check << "'";
+    }
+}
+
+TEST(Faults, AreManyOnBothSidesAndChosenAfterTheFreezeToo) {
+    const auto count = [](auto&& holds) { return std::ranges::count_if(allFaults(), holds); };
+    EXPECT_GE(count([](const Fault& f) { return f.inShaders() && f.survives.empty(); }), 20);
+    EXPECT_GE(count([](const Fault& f) { return !f.inShaders() && f.survives.empty(); }), 12);
+}
+
+}  // namespace
+}  // namespace vkpt
