@@ -49,7 +49,7 @@ const StageWalk& VerifyContext::stages() {
     if (!stages_) {
         const RenderParams& p = options_.params;
         stages_ = std::make_unique<StageWalk>(scene_, options_, "scene");
-        renderer().select(p.seed, options_.sampleBegin, options_.sampleBegin + 1);
+        renderer().select(p.seed, options_.sampleEnd - 1, options_.sampleEnd);
         forEachStrip(p.width, p.height, [&](std::uint32_t firstPixel, std::uint32_t pixelCount) {
             stages_->run(renderer(), firstPixel, pixelCount);
         });

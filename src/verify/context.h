@@ -47,7 +47,7 @@ public:
     [[nodiscard]] Prober& prober();
     /// Of the scene; batches are small, since much is read back after each.
     [[nodiscard]] WavefrontRenderer& renderer();
-    /// One sample of (at most kWalkPixels of) the scene's pixels, walked through once.
+    /// The last sample of (at most 2^14 of) the scene's pixels, walked through once.
     [[nodiscard]] const StageWalk& stages();
     /// The options' samples of the whole scene on both sides, rendered once.
     [[nodiscard]] const SameSeedImages& sameSeed();

@@ -55,8 +55,8 @@ void checkSameSeed(VerifyContext& context, Findings& f) {
 void checkOtherSeeds(VerifyContext& context, Findings& f) {
     if (!context.options().sampler.isRandomised())
         return f.refuse(
-            "the sampler gives the same numbers for every seed, so replicates would be copies; choose a "
-            "randomised one");
+            "this sampler gives the same numbers for every seed, so replicates would be copies: choose "
+            "another --sampler or --scramble");
     const ReplicateResult& result = context.replicates();
     const MeanComparison& worst = result.worst();
     f.tally("means", result.tiles.size() + result.whole.size(), 0);

@@ -45,6 +45,7 @@ private:
 
     const SceneArrays& scene_;
     const RenderParams& params_;
+    double mostExcused_;
     DevicePaths paths_;
     std::string what_;
     StageSnapshot before_;
