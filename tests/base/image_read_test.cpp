@@ -331,6 +331,7 @@ TEST_F(ImageRead, ExrHeadersThatAskForMoreThanTheFileHolds) {
     const std::string compression("compression\0compression\0", 24), window("dataWindow\0box2i\0", 17);
     expectFault(withValue(compression, 0, 0x7fffffff), "an attribute states 2147483647 bytes");
     expectFault(withValue(compression, 0, -1), "an attribute states -1 bytes");
+    expectFault(withValue(compression, 0, 2), "attribute 'compression': 2 bytes do not make a compression");
     expectFault(withValue(window, 16, 2000000), "64x2000001 pixels in");
     expectFault(withValue(window, 16, 60000), "3751 chunks in");
     expectFault(withValue(window, 16, -1), "the data window is empty");
