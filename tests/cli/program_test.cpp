@@ -84,10 +84,16 @@ TEST_F(Program, HelpOfEveryCommandShowsAnExample) {
 
 TEST_F(Program, FileFaultsAre4AndOneLineThatNamesTheFile) {
     folder_.write("broken.gltf", "{\"asset\": ");
+    Json external = Json::parse(triangleGltf());
+    external["buffers"][0]["uri"] = "/dev/null";
+    folder_.write("external.gltf", external.dump());
     const std::pair<Words, const char*> cases[] = {
         {{"render", "absent.glb"}, "absent.glb"},
         {{"render", "broken.gltf"}, "broken.gltf"},
         {{"info", "broken.gltf"}, "broken.gltf"},
+        {{"bench", "broken.gltf"}, "broken.gltf"},
+        {{"info", "external.gltf"}, "external.gltf: buffers[0]: uri \"/dev/null\" leaves the scene's folder"},
+        {{"render", "external.gltf"}, "--allow-external"},
         {{"render", kCornellBox, "--env", "absent.hdr"}, "absent.hdr"},
         {{"render", kCornellBox, "-o", "no/such/folder/a.png"}, "no/such/folder/a.png"},
         {{"render", kCornellBox, "--stats", "no/s.json"}, "no/s.json"},
@@ -99,7 +105,7 @@ TEST_F(Program, FileFaultsAre4AndOneLineThatNamesTheFile) {
         EXPECT_THAT(r.err, HasSubstr(named));
         EXPECT_EQ(r.errLines(), 1) << r.err;
     }
-    EXPECT_THAT(folder_.files(), ElementsAre("broken.gltf")) << "nothing was written";
+    EXPECT_THAT(folder_.files(), ElementsAre("broken.gltf", "external.gltf")) << "nothing was written";
 }
 
 TEST_F(Program, WithoutVulkanItSaysSoAndTheCpuStillWorks) {
@@ -230,7 +236,19 @@ TEST_F(Program, BenchTimesBothBackends) {
     EXPECT_FALSE(results[0].at("stages").empty());
 }
 
-TEST_F(Program, FullStandardOutputIs4) {
+// A buffer of 4 GB, of which the disk holds nothing, where the process may have 2.
+TEST_F(Program, OutOfHostMemoryIs70AndOneLine) {
+    Json scene = Json::parse(triangleGltf());
+    scene["buffers"][0]["byteLength"] = 4000000000;
+    folder_.write("t.gltf", scene.dump());
+    std::filesystem::resize_file(folder_.write("buffer.bin", ""), 4000000000);
+    const std::string command = "ulimit -v 2000000; exec '" + std::string(VKPT_BINARY) + "' info '" +
+                                (folder_ / "t.gltf").string() + "' 2> '" + (folder_ / "err").string() + "'";
+    EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 70);
+    EXPECT_EQ(readText(folder_ / "err"), "vkpt: out of memory on the host\n");
+}
+
+TEST_F(Program, StandardOutputWithoutSpaceIs4) {
     if (!std::ofstream("/dev/full")) GTEST_SKIP() << "/dev/full is absent";
     const std::string command = std::string(VKPT_BINARY) + " info " + kCornellBox + " > /dev/full 2>/dev/null";
     EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 4);
