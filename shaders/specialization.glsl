@@ -21,3 +21,14 @@ layout(constant_id = 16) const uint kLightSteps = 32u;     // of searchCdf in ea
 layout(constant_id = 17) const uint kRowSteps = 32u;
 layout(constant_id = 18) const uint kColumnSteps = 32u;
 layout(constant_id = 19) const uint kScramble = kScrambleOwen;
+// The film's layers: words a pixel, and where each begins; kNone: absent. See src/film/film_layout.h.
+layout(constant_id = 20) const uint kLayerWords = 0u;
+layout(constant_id = 21) const uint kAlbedoWord = kNone;
+layout(constant_id = 22) const uint kNormalWord = kNone;
+layout(constant_id = 23) const uint kDepthWord = kNone;
+layout(constant_id = 24) const uint kPositionWord = kNone;
+layout(constant_id = 25) const uint kUvWord = kNone;
+layout(constant_id = 26) const uint kIdsWord = kNone;
+layout(constant_id = 27) const uint kLuminanceWord = kNone;
+const bool kHasSurfaceLayers = kAlbedoWord != kNone || kNormalWord != kNone || kDepthWord != kNone ||
+                               kPositionWord != kNone || kUvWord != kNone || kIdsWord != kNone;

@@ -17,11 +17,10 @@ void main() {
         vec4 direction = loadStateFloat(kStateDirection, path);
         Hit hit = traverse(origin, direction.xyz, uintBitsToFloat(0x7f800000u), alphaKeyOf(path, kRayPath), false);
         met = hit.slot != kNone;
-        if (met) {
+        if (met || kHasSurfaceLayers)
             storeState(kStateHit, path, uvec4(floatBitsToUint(hit.t), hit.slot, floatBitsToUint(vec2(hit.b1, hit.b2))));
-            if (kHasInstances != 0u)
-                storeStateFloat(kStateDirection, path, vec4(direction.xyz, uintBitsToFloat(hit.instance)));
-        }
+        if (met && kHasInstances != 0u)
+            storeStateFloat(kStateDirection, path, vec4(direction.xyz, uintBitsToFloat(hit.instance)));
     }
     uint hitSlot = appendSlot(batch.bounce, kQueueHit, live && met);
     uint missSlot = appendSlot(batch.bounce, kQueueMiss, live && !met);

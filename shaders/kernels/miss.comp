@@ -24,11 +24,12 @@ void main() {
         if (scene.envLight != kNone) pmf = sceneWordFloat(scene.lights + scene.envLight * 4u + 1u).w;
     }
     if (batch.bounce == 0u) {
-        addContribution(path, backgroundSeen(environment.rgb), true, render.backgroundMode != kBackgroundTransparent);
+        uint met = render.backgroundMode == kBackgroundTransparent ? kMetNothing : kMetBackground;
+        addContribution(path, backgroundSeen(environment.rgb), true, met);
         return;
     }
     float pdfBsdf = loadStateFloat(kStateOrigin, path).w;
     float weight = pdfBsdf < 0.0 ? 1.0 : powerHeuristic(pdfBsdf, pmf * environment.w);
     vec3 throughput = loadStateFloat(kStateThroughput, path).xyz;
-    addContribution(path, throughput * environment.rgb * weight, false, false);
+    addContribution(path, throughput * environment.rgb * weight, false, kMetNothing);
 }

@@ -112,7 +112,7 @@ void main() {
         v = loadPathVertex(counters[queueArray(batch.bounce, kQueueHit) + i]);
         vec3 emission = v.throughput * emittedRadiance(v);
         bool first = batch.bounce == 0u;
-        if (first || maxComponent(emission) > 0.0) addContribution(v.path, emission, first, first);
+        if (first || maxComponent(emission) > 0.0) addContribution(v.path, emission, first, first ? kMetSurface : kMetNothing);
         if (batch.bounce < render.maxDepth && !isUnlit(v)) {
             vec3 wo = toLocal(v.point.frame, v.wo);
             shadow = sampleDirect(v, wo);

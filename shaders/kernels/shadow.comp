@@ -17,5 +17,5 @@ void main() {
     vec4 origin = loadStateFloat(kShadowOrigin, i), target = loadStateFloat(kShadowTarget, i);
     uint path = floatBitsToUint(origin.w);
     Hit hit = traverse(origin.xyz, target.xyz, target.w, alphaKeyOf(path, kRayShadow), true);
-    if (hit.slot == kNone) addContribution(path, loadStateFloat(kShadowRadiance, i).xyz, false, false);
+    if (hit.slot == kNone) addContribution(path, loadStateFloat(kShadowRadiance, i).xyz, false, kMetNothing);
 }

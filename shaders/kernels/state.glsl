@@ -9,6 +9,7 @@ layout(push_constant) uniform Batch {
     uint capacity;                   // slots of every array
     uint pathCount;                  // pixelCount * sampleCount
     uint filmFirst;                  // first pixel of the band of the film that is bound
+    uint filmLayers;                 // word of the film where the layers of its pixels begin
 } batch;
 
 layout(set = 0, binding = 3, std430) buffer StateWords { uvec4 stateWords[]; };
@@ -36,12 +37,13 @@ void storeState(uint array, uint slot, uvec4 value) { stateWords[array * batch.c
 vec4 loadStateFloat(uint array, uint slot) { return uintBitsToFloat(loadState(array, slot)); }
 void storeStateFloat(uint array, uint slot, vec4 value) { storeState(array, slot, floatBitsToUint(value)); }
 
-// Counters: a block of 16 uints a bounce, then the refused contributions, then the queues. A queue's block is
+// Counters: a block of 16 uints a bounce, then what was refused, then the queues. A queue's block is
 // {groups, 1, 1, items}: the first three are the arguments of its indirect dispatch.
 const uint kQueueRay = 0u, kQueueHit = 1u, kQueueMiss = 2u, kQueueShadow = 3u;
 const uint kCounterBlock = 16u;
 const uint kMaxBounceBlocks = 4096u;
 const uint kRefused = kCounterBlock * kMaxBounceBlocks;
+const uint kRefusedInLayers = kRefused + 1u;
 const uint kQueueBase = kRefused + 16u;
 
 uint queueCounter(uint bounce, uint queue) { return bounce * kCounterBlock + queue * 4u; }

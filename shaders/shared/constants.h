@@ -96,6 +96,14 @@ VKPT_CONST uint kLargestSet = 65536u;       // samples of a stratified set; more
 VKPT_CONST uint kLargestPrimeSet = 63001u;  // 251^2: the same for orthogonal arrays
 
 VKPT_CONST uint kFilmFractionBits = 48u;
+VKPT_CONST uint kFilmLimitBits = 40u;     // contributions are below 2^this
+VKPT_CONST uint kLayerLimitBits = 31u;    // values of layers: magnitudes below 2^this
+// Path luminance of the variance layer. [estimator.md, Layers]
+VKPT_CONST uint kLuminanceFractionBits = 24u;
+VKPT_CONST uint kLuminanceLimitBits = 32u;  // channels of the paths it counts are below 2^this
+VKPT_CONST uint kLuminanceRed = 13933u;     // weights, times 2^16; together 2^16
+VKPT_CONST uint kLuminanceGreen = 46871u;
+VKPT_CONST uint kLuminanceBlue = 4732u;
 VKPT_CONST uint kWideNodeLeafItems = 3u;   // a leaf holds 1 to 3 items
 
 VKPT_CONST float kPi = 3.14159265358979323846f;

@@ -148,7 +148,7 @@ struct RenderParams {
 };
 
 // Exact sums of one path or one pixel: a channel is 96 bits, little-endian words, kFilmFractionBits of fraction.
-// w: x alpha (paths that met something), y unused, z unused.
+// w: counts of paths; red: alpha (met a surface or a visible background), green: met a surface, blue: unused.
 struct FilmSums {
     uvec4 red, green, blue;
 };

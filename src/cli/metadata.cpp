@@ -73,7 +73,7 @@ ImageMetadata imageMetadata(const PreparedScene& prepared, const RenderReport& r
             {"vkpt:settings", jsonText(renderSettings(prepared), -1)},
             {"vkpt:settingsHash", settingsHash(prepared)},
             {"vkpt:spp", std::to_string(film.samples())},
-            {"vkpt:samples", fmt::format("{}:{}", film.sampleBegin, film.sampleEnd)},
+            {"vkpt:samples", rangesText(film.ranges)},
             {"vkpt:seed", std::to_string(params.seed)},
             {"vkpt:sampler", std::string(samplerName(prepared.options.sampler.id))},
             {"vkpt:backend", report.backend},

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "constants.h"
+#include "scene/sample_ranges.h"
 
 namespace vkpt {
 
@@ -39,9 +40,6 @@ template <class T>
 [[nodiscard]] std::optional<glm::uvec2> parsePixel(std::string_view text);
 
 /// "64:128": begin < end.
-struct SampleRange {
-    std::uint32_t begin = 0, end = 0;
-};
 [[nodiscard]] std::optional<SampleRange> parseSampleRange(std::string_view text);
 
 /// "X,Y,Z": finite numbers.

@@ -111,7 +111,7 @@ void writeStats(const RenderCommand& c, const PreparedScene& prepared, const Ren
                {"scene", prepared.file.string()},
                {"settings", renderSettings(prepared)},
                {"settingsHash", settingsHash(prepared)},
-               {"samples", {rendered.film.sampleBegin, rendered.film.sampleEnd}},
+               {"samples", rangesText(rendered.film.ranges)},
                {"spp", rendered.film.samples()},
                {"interrupted", interrupted},
                {"refusedContributions", rendered.film.refused},

@@ -3,14 +3,20 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 #include "constants.h"
 #include "layout.h"
 
 namespace vkpt::reference {
 
+__extension__ using U128 = unsigned __int128;
+
 /// Contributions from here on are refused: 2^40 nits.
 inline constexpr float kContributionLimit = 0x1p40F;
+/// Values of layers are refused from this magnitude on.
+inline constexpr float kLayerLimit = 0x1p31F;
+static_assert(kFilmLimitBits == 40 && kLayerLimitBits == 31);
 
 /// floor(value x 2^48 + 1/2) as three little-endian words. Requires 0 <= value < 2^40.
 [[nodiscard]] inline std::array<std::uint32_t, 3> toFixedPoint(float value) {
@@ -24,6 +30,18 @@ inline constexpr float kContributionLimit = 0x1p40F;
             static_cast<std::uint32_t>(top)};
 }
 
+[[nodiscard]] inline std::array<std::uint32_t, 3> wordsOf(U128 value) {
+    return {static_cast<std::uint32_t>(value), static_cast<std::uint32_t>(value >> 32U),
+            static_cast<std::uint32_t>(value >> 64U)};
+}
+
+/// The magnitude as above, in two's complement of 96 bits: addFixedPoint adds it like any other.
+[[nodiscard]] inline std::array<std::uint32_t, 3> toSignedFixedPoint(float value) {
+    const double magnitude = std::floor(std::abs(double{value}) * 0x1p48 + 0.5);
+    const auto whole = static_cast<U128>(magnitude);
+    return wordsOf(value < 0 ? -whole : whole);
+}
+
 /// Adds three words to the low three of `sum`.
 inline void addFixedPoint(uvec4& sum, const std::array<std::uint32_t, 3>& words) {
     std::uint64_t carry = 0;
@@ -32,6 +50,17 @@ inline void addFixedPoint(uvec4& sum, const std::array<std::uint32_t, 3>& words)
         sum[i] = static_cast<std::uint32_t>(carry);
         carry >>= 32U;
     }
+}
+
+/// Adds sums and counts of one path to those of its pixel.
+inline void addSums(FilmSums& pixel, const FilmSums& path) {
+    const auto add = [](uvec4& into, const uvec4& word) {
+        addFixedPoint(into, {word.x, word.y, word.z});
+        into.w += word.w;
+    };
+    add(pixel.red, path.red);
+    add(pixel.green, path.green);
+    add(pixel.blue, path.blue);
 }
 
 /// Adds one contribution in nits, rounded once. Refuses it whole, returning false, where a channel is NaN, negative
@@ -44,6 +73,25 @@ inline void addFixedPoint(uvec4& sum, const std::array<std::uint32_t, 3>& words)
     addFixedPoint(sums.green, toFixedPoint(contribution.y));
     addFixedPoint(sums.blue, toFixedPoint(contribution.z));
     return true;
+}
+
+/// Luminance of a path, 24 bits of fraction, rounded; nothing where a channel is not below 2^32 nits.
+[[nodiscard]] inline std::optional<std::uint64_t> pathLuminance(const FilmSums& path) {
+    constexpr std::uint32_t kCut = kFilmFractionBits - kLuminanceFractionBits;
+    const auto cut = [](const uvec4& sum) { return (U128{sum.z} << 64U | U128{sum.y} << 32U | U128{sum.x}) >> kCut; };
+    const U128 red = cut(path.red), green = cut(path.green), blue = cut(path.blue);
+    const U128 limit = U128{1} << (kLuminanceLimitBits + kLuminanceFractionBits);
+    if (red >= limit || green >= limit || blue >= limit) return std::nullopt;
+    const U128 weighted = red * kLuminanceRed + green * kLuminanceGreen + blue * kLuminanceBlue;
+    return static_cast<std::uint64_t>((weighted + (1U << 15U)) >> 16U);
+}
+
+/// Adds luminance^2 to a sum of 128 bits.
+inline void addSquare(uvec4& sum, std::uint64_t luminance) {
+    U128 total = U128{sum.w} << 96U | U128{sum.z} << 64U | U128{sum.y} << 32U | U128{sum.x};
+    total += U128{luminance} * luminance;
+    const auto low = wordsOf(total);
+    sum = uvec4(low[0], low[1], low[2], static_cast<std::uint32_t>(total >> 96U));
 }
 
 }  // namespace vkpt::reference

@@ -5,6 +5,7 @@
 #include "reference/bsdf.h"
 #include "reference/camera.h"
 #include "reference/frame.h"
+#include "reference/layers.h"
 #include "reference/traverse.h"
 
 namespace vkpt::reference {
@@ -173,13 +174,18 @@ bool PathTracer::isOccluded(const PathState& state, const DirectLight& direct) c
     return anyHit(scene_, direct.shadowRay, direct.tMax, alphaKey(state.sample.id, state.bounce, kRayShadow));
 }
 
+void PathTracer::countCameraRay(PathTally& tally, const PathState& camera, const std::optional<Hit>& hit) const {
+    if (hit || params_.backgroundMode != kBackgroundTransparent) ++tally.sums.red.w;
+    if (hit) ++tally.sums.green.w;
+    if (tally.layers != nullptr) tally.layers->addFirstHit(camera.ray, hit);
+}
+
 void PathTracer::trace(std::uint32_t x, std::uint32_t y, std::uint32_t index, PathTally& tally) const {
     std::optional<PathState> state = start(x, y, index);
     while (state) {
         ++tally.pathRays;
         const auto hit = intersect(*state);  // 1
-        const bool seen = hit || params_.backgroundMode != kBackgroundTransparent;
-        if (state->bounce == 0 && seen) tally.sums.red.w += 1;
+        if (state->bounce == 0) countCameraRay(tally, *state, hit);
         if (!hit) return add(tally, miss(*state));  // 2
         const PathVertex vertex = shade(*state, *hit);
         add(tally, vertex.emitted);

@@ -10,11 +10,14 @@
 
 namespace vkpt::reference {
 
+class LayerTally;
+
 /// What paths leave behind: exact sums, and counts for statistics.
 struct PathTally {
     FilmSums sums{};
     std::uint64_t refused = 0;  ///< contributions that addContribution refused
     std::uint64_t pathRays = 0, shadowRays = 0;
+    LayerTally* layers = nullptr;  ///< told what camera rays meet
 };
 
 /// Where a path stands before it traces segment `bounce` (0: the camera ray).
@@ -66,6 +69,8 @@ public:
     [[nodiscard]] bool isOccluded(const PathState& state, const DirectLight& direct) const;
 
 private:
+    void countCameraRay(PathTally& tally, const PathState& camera, const std::optional<Hit>& hit) const;
+
     const SceneArrays& scene_;
     const RenderParams& params_;
     Lights lights_;

@@ -6,15 +6,19 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <span>
 
 #include "base/error.h"
 #include "reference/accumulate.h"
+#include "reference/layers.h"
 #include "reference/path.h"
 
 namespace vkpt {
 
 namespace {
 
+using reference::addSums;
+using reference::LayerTally;
 using reference::PathTally;
 using reference::PathTracer;
 
@@ -30,7 +34,7 @@ void check(const RenderOptions& options) {
 }
 
 struct Counts {
-    std::uint64_t refused = 0, pathRays = 0, shadowRays = 0;
+    std::uint64_t refused = 0, refusedInLayers = 0, pathRays = 0, shadowRays = 0;
 
     void add(const PathTally& tally) {
         refused += tally.refused;
@@ -39,20 +43,45 @@ struct Counts {
     }
 };
 
-/// Adds samples [begin, end) of every pixel to the film.
-void renderPass(const PathTracer& tracer, std::uint32_t begin, std::uint32_t end, Film& film,
-                tbb::combinable<Counts>& counts) {
+void renderPixel(const PathTracer& tracer, std::uint32_t x, std::uint32_t y, const SampleRange& samples,
+                 FilmSums& pixel, Counts& counts) {
+    PathTally tally;
+    tally.sums = pixel;
+    for (std::uint32_t index = samples.begin; index < samples.end; ++index) tracer.trace(x, y, index, tally);
+    pixel = tally.sums;
+    counts.add(tally);
+}
+
+/// The same with layers, which look at each path alone.
+void renderPixel(const PathTracer& tracer, std::uint32_t x, std::uint32_t y, const SampleRange& samples,
+                 FilmSums& pixel, LayerTally& layers, Counts& counts) {
+    for (std::uint32_t index = samples.begin; index < samples.end; ++index) {
+        PathTally path;
+        path.layers = &layers;
+        tracer.trace(x, y, index, path);
+        layers.addPath(path.sums);
+        addSums(pixel, path.sums);
+        counts.add(path);
+    }
+    counts.refusedInLayers += layers.refused();
+}
+
+/// Adds `samples` of every pixel to the film.
+void renderPass(const SceneArrays& scene, const RenderOptions& options, const PathTracer& tracer,
+                const SampleRange& samples, Film& film, tbb::combinable<Counts>& counts) {
     const tbb::blocked_range2d<std::uint32_t> pixels(0, film.height, kTile, 0, film.width, kTile);
     tbb::parallel_for(pixels, [&](const tbb::blocked_range2d<std::uint32_t>& tile) {
         Counts& mine = counts.local();
         for (std::uint32_t y = tile.rows().begin(); y < tile.rows().end(); ++y) {
             for (std::uint32_t x = tile.cols().begin(); x < tile.cols().end(); ++x) {
-                FilmSums& pixel = film.sums[std::size_t{y} * film.width + x];
-                PathTally tally;
-                tally.sums = pixel;
-                for (std::uint32_t index = begin; index < end; ++index) tracer.trace(x, y, index, tally);
-                pixel = tally.sums;
-                mine.add(tally);
+                const std::size_t pixel = std::size_t{y} * film.width + x, words = film.layout.words();
+                if (words == 0) {
+                    renderPixel(tracer, x, y, samples, film.sums[pixel], mine);
+                } else {
+                    LayerTally layers(scene, options.params, film.layout,
+                                      std::span(film.layers).subspan(pixel * words, words));
+                    renderPixel(tracer, x, y, samples, film.sums[pixel], layers, mine);
+                }
             }
         }
     });
@@ -64,9 +93,8 @@ Film renderReference(const SceneArrays& scene, const RenderOptions& options, con
                      const ReferenceConfig& config, ReferenceStats* stats) {
     check(options);
     const RenderParams& params = options.params;
-    Film film{params.width, params.height, options.sampleBegin, options.sampleBegin, {}, 0};
+    Film film(params.width, params.height, options.aovs);
     const std::uint64_t pixels = std::uint64_t{params.width} * params.height;
-    film.sums.resize(pixels);
     const std::uint64_t total = pixels * (options.sampleEnd - options.sampleBegin);
     const auto perPass = static_cast<std::uint32_t>(std::max<std::uint64_t>(1, kPathsPerPass / pixels));
 
@@ -74,22 +102,25 @@ Film renderReference(const SceneArrays& scene, const RenderOptions& options, con
     const PathTracer tracer(scene, options);
     tbb::combinable<Counts> counts;
     tbb::task_arena arena(config.threads == 0 ? tbb::task_arena::automatic : static_cast<int>(config.threads));
-    std::uint32_t passes = 0;
+    std::uint32_t passes = 0, done = options.sampleBegin;
     do {
-        const std::uint32_t end = film.sampleEnd + std::min(perPass, options.sampleEnd - film.sampleEnd);
-        arena.execute([&] { renderPass(tracer, film.sampleEnd, end, film, counts); });
-        film.sampleEnd = end;
+        const SampleRange pass{done, done + std::min(perPass, options.sampleEnd - done)};
+        arena.execute([&] { renderPass(scene, options, tracer, pass, film, counts); });
+        done = pass.end;
         ++passes;
+        film.ranges = {{options.sampleBegin, done}};
         if (control.progress) control.progress(pixels * film.samples(), total);
-    } while (film.sampleEnd < options.sampleEnd && !control.shouldStop());
+    } while (done < options.sampleEnd && !control.shouldStop());
 
     Counts sum;
     counts.combine_each([&sum](const Counts& c) {
         sum.refused += c.refused;
+        sum.refusedInLayers += c.refusedInLayers;
         sum.pathRays += c.pathRays;
         sum.shadowRays += c.shadowRays;
     });
     film.refused = sum.refused;
+    film.refusedInLayers = sum.refusedInLayers;
     if (stats) {
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - started;
         *stats = {pixels * film.samples(), sum.pathRays, sum.shadowRays, passes, seconds.count()};

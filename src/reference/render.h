@@ -20,7 +20,7 @@ struct ReferenceStats {
 
 /// Renders samples [options.sampleBegin, options.sampleEnd) of every pixel of a scene whose BVH is built. The film
 /// depends on neither threads nor passes. A pass is a range of samples over the whole film; at least one is made,
-/// and the film's sampleEnd says where `control` stopped. Throws Error (Usage) for an empty frame or range, or a
+/// and the film's ranges say where `control` stopped. Throws Error (Usage) for an empty frame or range, or a
 /// frame beyond 65,536 pixels a side.
 [[nodiscard]] Film renderReference(const SceneArrays& scene, const RenderOptions& options,
                                    const RenderControl& control = {}, const ReferenceConfig& config = {},

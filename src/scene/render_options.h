@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "layout.h"
+#include "scene/aov.h"
 #include "scene/sampler_choice.h"
 
 namespace vkpt {
@@ -16,6 +17,7 @@ struct RenderOptions {
     RenderParams params{};
     SamplerChoice sampler;
     std::uint32_t sampleBegin = 0, sampleEnd = 64;  ///< range of sample indices; params.spp is the whole N
+    AovSet aovs;                                    ///< layers gathered beside the picture
 };
 
 /// How a running render talks to its caller. Backends call `progress` between passes from the calling thread

@@ -34,11 +34,19 @@ std::vector<std::uint32_t> specializationOf(const SceneFeatures& f, const SceneH
             searchSteps(header.lightCount),
             searchSteps(header.envHeight),
             searchSteps(header.envWidth),
-            static_cast<std::uint32_t>(options.sampler.scramble)};
+            static_cast<std::uint32_t>(options.sampler.scramble),
+            options.film.words(),
+            options.film.firstWord(Layer::Albedo),
+            options.film.firstWord(Layer::Normal),
+            options.film.firstWord(Layer::Depth),
+            options.film.firstWord(Layer::Position),
+            options.film.firstWord(Layer::Uv),
+            options.film.firstWord(Layer::Ids),
+            options.film.firstWord(Layer::Luminance)};
 }
 
 WavefrontKernels::WavefrontKernels(Device& device, const SpirvSource& spirv,
-                                   std::span<const std::uint32_t> specialization, bool useBallot) {
+                                   std::span<const std::uint32_t> specialization, bool useBallot, bool surfaceLayers) {
     const auto make = [&](std::string_view name) -> Kernel {
         return {device, spirv(name), kKernelBindings, sizeof(BatchParams), specialization, name};
     };
@@ -48,6 +56,7 @@ WavefrontKernels::WavefrontKernels(Device& device, const SpirvSource& spirv,
     miss = make("miss");
     shadow = make("shadow");
     accumulate = make("accumulate");
+    if (surfaceLayers) layers.emplace(make("layers"));
 }
 
 }  // namespace vkpt

@@ -2,10 +2,12 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
+#include "film/film_layout.h"
 #include "gpu/kernel.h"
 #include "gpu/spirv_source.h"
 #include "scene/render_options.h"
@@ -27,6 +29,7 @@ struct KernelOptions {
     SamplerChoice sampler{};
     std::uint32_t lastIndex = ~0U;  ///< the highest sample index they may meet
     bool fetchTexel = false, useBallot = false, stateTexel = false;
+    FilmLayout film{};
 };
 
 /// Halvings that searchCdf of shaders/math/cdf.glsl needs for a table of `count` entries.
@@ -38,10 +41,12 @@ struct KernelOptions {
 
 struct WavefrontKernels {
     Kernel generate, intersect, shade, miss, shadow, accumulate;
+    std::optional<Kernel> layers;
 
-    /// `useBallot` false: the variants that need no subgroup operations.
+    /// `useBallot` false: the variants that need no subgroup operations. `surfaceLayers`: with the kernel that gathers
+    /// what camera rays meet.
     WavefrontKernels(Device& device, const SpirvSource& spirv, std::span<const std::uint32_t> specialization,
-                     bool useBallot);
+                     bool useBallot, bool surfaceLayers);
 };
 
 }  // namespace vkpt

@@ -14,6 +14,7 @@ struct BatchParams {
     std::uint32_t capacity = 0;
     std::uint32_t pathCount = 0;
     std::uint32_t filmFirst = 0;
+    std::uint32_t filmLayers = 0;  ///< word of the film buffer where the layers of its pixels begin
 };
 
 /// Which path lies in a slot.
@@ -38,16 +39,17 @@ enum class StateArray : std::uint32_t {
     Throughput,  ///< xyz
     Hit,         ///< t, slot of the triangle, b1, b2
     Red,         ///< exact sums; w: alpha
-    Green,
+    Green,       ///< w: a surface was met
     Blue,
     ShadowOrigin,   ///< xyz; w: slot of the path. The shadow arrays are indexed by their queue.
     ShadowTarget,   ///< xyz: from the origin to the light; w: tMax
     ShadowRadiance  ///< xyz
 };
 
-/// Kernels in the order of a bounce.
-enum class Stage : std::uint32_t { Generate, Intersect, Miss, Shade, Shadow, Accumulate };
-inline constexpr std::array kStageNames = {"generate", "intersect", "miss", "shade", "shadow", "accumulate"};
+/// Kernels in the order of a bounce; last the one that follows the intersections of the camera rays where layers are
+/// asked for.
+enum class Stage : std::uint32_t { Generate, Intersect, Miss, Shade, Shadow, Accumulate, Layers };
+inline constexpr std::array kStageNames = {"generate", "intersect", "miss", "shade", "shadow", "accumulate", "layers"};
 
 /// {groups, 1, 1, items} of one queue at one bounce.
 struct QueueCounter {
@@ -57,6 +59,7 @@ struct QueueCounter {
 inline constexpr std::uint32_t kMaxBounceBlocks = 4096;
 inline constexpr std::uint32_t kCounterBlock = kQueues * sizeof(QueueCounter) / 4;  ///< uints a bounce
 inline constexpr std::uint32_t kRefusedCounter = kCounterBlock * kMaxBounceBlocks;
+inline constexpr std::uint32_t kRefusedInLayersCounter = kRefusedCounter + 1;
 inline constexpr std::uint32_t kQueueBase = kRefusedCounter + 16;
 
 /// Byte offset of a queue's counter, which is also the argument of its indirect dispatch.

@@ -35,9 +35,10 @@ struct Frame {  // the uniform block of shaders/geometry/fetch.glsl
     RenderParams render;
 };
 
-WavefrontStats zeroStats() {
+WavefrontStats zeroStats(bool withLayers) {
     WavefrontStats stats;
     for (const char* name : kStageNames) stats.stages.push_back({name, 0, 0});
+    if (!withLayers) stats.stages.pop_back();
     return stats;
 }
 
@@ -68,7 +69,7 @@ bool useStateTexels(const Device& device, WavefrontConfig::Fetch fetch, std::siz
 struct WavefrontRenderer::Impl {
     struct FilmBand {
         Band band;
-        Buffer film;
+        Buffer film;  ///< FilmSums of every pixel, then the words of its layers
         BindGroup group;
     };
 
@@ -85,6 +86,7 @@ struct WavefrontRenderer::Impl {
     WavefrontConfig config;
     Device device;
     SceneLayout layout;
+    FilmLayout filmLayout;
     std::uint32_t capacity;
     bool texels, stateTexel, ballot;
     MemoryPlan plan;
@@ -103,6 +105,7 @@ struct WavefrontRenderer::Impl {
 
     void recordStart(const FilmBand& band, const BatchParams& batch);
     void recordBounces(const FilmBand& band, BatchParams batch, std::uint32_t begin, std::uint32_t end);
+    void recordLayers(const FilmBand& band, const BatchParams& batch);
     void recordEnd(const FilmBand& band, const BatchParams& batch);
     void finish(Stage stage, const BatchParams& batch);
     void show(Stage stage, const BatchParams& batch);
@@ -112,6 +115,9 @@ struct WavefrontRenderer::Impl {
                     std::uint64_t totalPaths, WavefrontStats& stats);
     void gatherCounters(WavefrontStats& stats);
     [[nodiscard]] Film readFilm(std::uint32_t samplesDone);
+    [[nodiscard]] std::size_t filmBytesPerPixel() const {
+        return sizeof(FilmSums) + filmLayout.words() * sizeof(uvec4);
+    }
 
     std::uint32_t pathsPerBatch = 0;
     std::vector<Stage> stamps;  ///< stage that ends at each timestamp slot of the current submission
@@ -125,6 +131,7 @@ WavefrontRenderer::Impl::Impl(const SceneArrays& arrays, const RenderOptions& re
       config(wavefrontConfig),
       device({config.device, config.validation}),
       layout(planScene(arrays, options.sampler)),
+      filmLayout(options.aovs),
       capacity(config.pathsInFlight != 0 ? config.pathsInFlight : kDefaultPaths),
       texels(useTexels(device, config.fetch, layout.bytes)),
       stateTexel(useStateTexels(device, config.fetch, stateBytes(capacity))),
@@ -135,9 +142,10 @@ WavefrontRenderer::Impl::Impl(const SceneArrays& arrays, const RenderOptions& re
                                 .lastIndex = std::max(options.params.spp, 1U) - 1,
                                 .fetchTexel = texels,
                                 .useBallot = ballot,
-                                .stateTexel = stateTexel}),
-              ballot),
-      recorder(device, config.timings ? 4 * kBouncesPerSubmit + 4 : 0),
+                                .stateTexel = stateTexel,
+                                .film = filmLayout}),
+              ballot, filmLayout.hasSurfaceLayer()),
+      recorder(device, config.timings ? 4 * kBouncesPerSubmit + 5 : 0),
       pathsPerBatch(capacity) {
     if (counterBlocks() > kMaxBounceBlocks)
         throw Error(ExitCode::Usage,
@@ -150,11 +158,11 @@ WavefrontRenderer::Impl::Impl(const SceneArrays& arrays, const RenderOptions& re
 void WavefrontRenderer::Impl::createBuffers(const SceneArrays& arrays) {
     const auto& limits = device.info().limits;
     const std::uint32_t width = options.params.width, height = options.params.height;
-    const auto bandList = makeBands(width, height, limits.maxStorageBufferRange / sizeof(FilmSums));
+    const auto bandList = makeBands(width, height, limits.maxStorageBufferRange / filmBytesPerPixel());
     plan.add("scene", layout.bytes, !texels);
     plan.add("path state", stateBytes(capacity));
     plan.add("queues", counterBytes(capacity));
-    for (const Band& band : bandList) plan.add("film", std::uint64_t{band.pixelCount} * sizeof(FilmSums));
+    for (const Band& band : bandList) plan.add("film", band.pixelCount * filmBytesPerPixel());
     plan.check(device.info());
 
     const std::size_t counterBytesUsed = std::size_t{kQueueBase} * 4;
@@ -176,8 +184,7 @@ void WavefrontRenderer::Impl::createBuffers(const SceneArrays& arrays) {
     std::memcpy(freshCounters.map().data(), fresh.data(), fresh.size() * sizeof(QueueCounter));
     uploadScene(device, scene, arrays, layout);
     for (const Band& band : bandList) {
-        FilmBand b{
-            band, Buffer(device, BufferUse::Storage, std::size_t{band.pixelCount} * sizeof(FilmSums), "film"), {}};
+        FilmBand b{band, Buffer(device, BufferUse::Storage, band.pixelCount * filmBytesPerPixel(), "film"), {}};
         const std::array<Binding, 7> bindings = {
             frame, texels ? dummy : scene, sceneTexels, state, counters, b.film, stateTexels};
         b.group = BindGroup(device, kernels.generate, bindings);
@@ -193,7 +200,7 @@ void WavefrontRenderer::Impl::writeFrame() {
 void WavefrontRenderer::Impl::clearFilm() {
     recorder.begin();
     for (const auto& b : bands) recorder.fill(b.film, 0, b.film.size(), 0);
-    recorder.fill(counters, kRefusedCounter * 4, 4, 0);
+    recorder.fill(counters, kRefusedCounter * 4, 8, 0);
     recorder.submitAndWait();
 }
 
@@ -233,10 +240,17 @@ void WavefrontRenderer::Impl::recordBounces(const FilmBand& band, BatchParams ba
     };
     for (batch.bounce = begin; batch.bounce < end; ++batch.bounce) {
         stage(kernels.intersect, Queue::Ray, Stage::Intersect);
+        if (batch.bounce == 0 && kernels.layers) recordLayers(band, batch);
         stage(kernels.miss, Queue::Miss, Stage::Miss);
         stage(kernels.shade, Queue::Hit, Stage::Shade);
         if (batch.bounce < options.params.maxDepth) stage(kernels.shadow, Queue::Shadow, Stage::Shadow);
     }
+}
+
+/// Of the hits of the camera rays.
+void WavefrontRenderer::Impl::recordLayers(const FilmBand& band, const BatchParams& batch) {
+    recorder.dispatch(*kernels.layers, band.group, batch, groupsFor(batch.pixelCount));
+    finish(Stage::Layers, batch);
 }
 
 void WavefrontRenderer::Impl::recordEnd(const FilmBand& band, const BatchParams& batch) {
@@ -259,6 +273,7 @@ void WavefrontRenderer::Impl::renderBatch(const FilmBand& band, BatchParams batc
     batch.capacity = capacity;
     batch.pathCount = batch.pixelCount * batch.sampleCount;
     batch.filmFirst = band.band.firstPixel;
+    batch.filmLayers = band.band.pixelCount * sizeof(FilmSums) / sizeof(uvec4);
     bool more = true;
     for (std::uint32_t begin = 0; more; begin += kBouncesPerSubmit) {
         const std::uint32_t end = std::min(begin + kBouncesPerSubmit, bounces);
@@ -297,6 +312,7 @@ void WavefrontRenderer::Impl::gatherCounters(WavefrontStats& stats) {
         stats.stages[static_cast<std::size_t>(Stage::Shadow)].items += items(Queue::Shadow);
     }
     stats.refused = words[kRefusedCounter];
+    stats.refusedInLayers = words[kRefusedInLayersCounter];
 }
 
 void WavefrontRenderer::Impl::renderPass(std::uint32_t firstSample, std::uint32_t sampleCount,
@@ -322,15 +338,16 @@ void WavefrontRenderer::Impl::renderPass(std::uint32_t firstSample, std::uint32_
 }
 
 Film WavefrontRenderer::Impl::readFilm(std::uint32_t samplesDone) {
-    Film film;
-    film.width = options.params.width;
-    film.height = options.params.height;
-    film.sampleBegin = options.sampleBegin;
-    film.sampleEnd = options.sampleBegin + samplesDone;
-    film.sums.resize(std::size_t{film.width} * film.height);
-    for (const FilmBand& b : bands)
-        downloadBuffer(device, b.film, 0,
-                       std::as_writable_bytes(std::span(film.sums).subspan(b.band.firstPixel, b.band.pixelCount)));
+    Film film(options.params.width, options.params.height, options.aovs);
+    film.ranges = {{options.sampleBegin, options.sampleBegin + samplesDone}};
+    const std::size_t words = filmLayout.words();
+    for (const FilmBand& b : bands) {
+        const std::size_t first = b.band.firstPixel, count = b.band.pixelCount;
+        downloadBuffer(device, b.film, 0, std::as_writable_bytes(std::span(film.sums).subspan(first, count)));
+        if (words > 0)
+            downloadBuffer(device, b.film, count * sizeof(FilmSums),
+                           std::as_writable_bytes(std::span(film.layers).subspan(first * words, count * words)));
+    }
     return film;
 }
 
@@ -343,7 +360,7 @@ WavefrontRenderer::~WavefrontRenderer() = default;
 Film WavefrontRenderer::render(const RenderControl& control, WavefrontStats* statsOut) {
     Impl& r = *impl_;
     const auto start = Clock::now();
-    WavefrontStats stats = zeroStats();
+    WavefrontStats stats = zeroStats(r.kernels.layers.has_value());
     stats.device = r.device.info().name;
     stats.driver = r.device.info().driver;
     stats.fetch = r.texels ? "texel" : "storage";
@@ -362,7 +379,9 @@ Film WavefrontRenderer::render(const RenderControl& control, WavefrontStats* sta
     }
     Film film = r.readFilm(done);
     film.refused = stats.refused;
+    film.refusedInLayers = stats.refusedInLayers;
     stats.stages[0].items = stats.stages[5].items = stats.paths;
+    if (r.kernels.layers) stats.stages.back().items = stats.paths;
     stats.pathRays = stats.stages[1].items;
     stats.shadowRays = stats.stages[4].items;
     stats.renderSeconds = secondsSince(start);
@@ -390,7 +409,7 @@ std::vector<FilmSums> WavefrontRenderer::observe(std::uint32_t firstPixel, std::
         throw Error(ExitCode::Usage,
                     fmt::format("{} samples of {} pixels are more than one batch", samples, pixelCount));
     r.clearFilm();
-    WavefrontStats stats = zeroStats();
+    WavefrontStats stats = zeroStats(r.kernels.layers.has_value());
     const Impl::Watch watch(r, observer);
     r.renderBatch(*band,
                   {.firstPixel = firstPixel,

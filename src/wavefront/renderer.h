@@ -60,6 +60,7 @@ struct WavefrontStats {
     std::string device, driver, fetch;
     std::vector<StageStats> stages;
     std::uint64_t paths = 0, pathRays = 0, shadowRays = 0, refused = 0, deviceBytes = 0, batches = 0;
+    std::uint64_t refusedInLayers = 0;
     double uploadSeconds = 0, renderSeconds = 0, secondsToFirstPass = 0;
     std::uint64_t validationMessages = 0;
 };

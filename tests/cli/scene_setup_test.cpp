@@ -124,7 +124,8 @@ TEST_F(SceneSetup, SettingsHashFollowsTheFilesOfTheScene) {
 }
 
 TEST_F(SceneSetup, MetadataTellsTheWholeStory) {
-    Film film{8, 8, 4, 6, std::vector<FilmSums>(64), 0};
+    Film film(8, 8);
+    film.ranges = {{4, 6}};
     RenderReport report;
     report.backend = "cpu";
     const ImageMetadata metadata = imageMetadata(prepare(), report, film);

@@ -11,8 +11,9 @@ namespace vkpt {
 namespace {
 
 Film onePixel(uvec4 red, std::uint32_t samples) {
-    Film film{1, 1, 0, samples, {}, 0};
-    film.sums.push_back({red, uvec4(0), uvec4(0)});
+    Film film(1, 1);
+    if (samples > 0) film.ranges = {{0, samples}};
+    film.sums[0].red = red;
     return film;
 }
 
@@ -63,35 +64,31 @@ TEST(FilmToImage, NoSamplesIsBlackAndTransparent) {
 TEST(AddFilm, CarriesThroughAllNinetySixBits) {
     Film a = onePixel({0xffffffffU, 0xffffffffU, 4, 5}, 2);
     Film b = onePixel({1, 0, 8, 6}, 2);
-    b.sampleBegin = 2;
-    b.sampleEnd = 5;
+    b.ranges = {{2, 5}};
     b.refused = 3;
     addFilm(a, b);
     EXPECT_EQ(a.sums[0].red, uvec4(0, 0, 13, 11));
-    EXPECT_EQ(a.sampleBegin, 0U);
-    EXPECT_EQ(a.sampleEnd, 5U);
+    EXPECT_EQ(a.ranges, (SampleRanges{{0, 5}}));
     EXPECT_EQ(a.refused, 3U);
 }
 
 TEST(AddFilm, OrderDoesNotMatter) {
     std::mt19937 generator(3);
     const auto random = [&] {
-        Film film{4, 4, 0, 0, {}, 0};
-        for (int i = 0; i < 16; ++i) {
-            const auto channel = [&] { return uvec4(generator(), generator(), generator() >> 8U, generator() >> 8U); };
-            film.sums.push_back({channel(), channel(), channel()});
-        }
+        Film film(4, 4);
+        const auto channel = [&] { return uvec4(generator(), generator(), generator() >> 8U, generator() >> 8U); };
+        for (FilmSums& sums : film.sums) sums = {channel(), channel(), channel()};
         return film;
     };
     Film parts[3] = {random(), random(), random()};
-    for (std::uint32_t i = 0; i < 3; ++i) parts[i].sampleBegin = 10 * i, parts[i].sampleEnd = 10 * (i + 1);
+    for (std::uint32_t i = 0; i < 3; ++i) parts[i].ranges = {{10 * i, 10 * (i + 1)}};
     Film forward = parts[0], backward = parts[2];
     addFilm(forward, parts[1]);
     addFilm(forward, parts[2]);
     addFilm(backward, parts[1]);
     addFilm(backward, parts[0]);
-    EXPECT_EQ(forward.sampleBegin, backward.sampleBegin);
-    EXPECT_EQ(forward.sampleEnd, 30U);
+    EXPECT_EQ(forward.ranges, backward.ranges);
+    EXPECT_EQ(forward.ranges, (SampleRanges{{0, 30}}));
     for (std::size_t i = 0; i < 16; ++i) {
         EXPECT_EQ(forward.sums[i].red, backward.sums[i].red);
         EXPECT_EQ(forward.sums[i].green, backward.sums[i].green);
@@ -99,12 +96,20 @@ TEST(AddFilm, OrderDoesNotMatter) {
     }
 }
 
-TEST(AddFilm, RefusesOtherSizesGapsAndOverlaps) {
-    Film a = onePixel({}, 4), gap = onePixel({}, 0), overlap = onePixel({}, 8), large{2, 1, 4, 8, {}, 0};
-    gap.sampleBegin = 5, gap.sampleEnd = 6;
-    EXPECT_THROW(addFilm(a, gap), Error);
+TEST(AddFilm, RefusesOtherSizesLayersAndOverlaps) {
+    Film a = onePixel({}, 4), overlap = onePixel({}, 8), large(2, 1), layered(1, 1, kAllAovs);
     EXPECT_THROW(addFilm(a, overlap), Error);
     EXPECT_THROW(addFilm(a, large), Error);
+    EXPECT_THROW(addFilm(a, layered), Error);
+}
+
+TEST(AddFilm, RemembersGaps) {
+    Film a = onePixel({1, 0, 0, 1}, 4), later = onePixel({2, 0, 0, 1}, 0);
+    later.ranges = {{6, 7}};
+    addFilm(a, later);
+    EXPECT_EQ(a.ranges, (SampleRanges{{0, 4}, {6, 7}}));
+    EXPECT_EQ(a.samples(), 5U);
+    EXPECT_EQ(a.sums[0].red, uvec4(3, 0, 0, 2));
 }
 
 }  // namespace

@@ -25,9 +25,8 @@ Film renderWith(const SceneArrays& arrays, const RenderOptions& options, const W
 }
 
 bool isSame(const Film& a, const Film& b) {
-    return a.width == b.width && a.height == b.height && a.sampleBegin == b.sampleBegin && a.sampleEnd == b.sampleEnd &&
-           a.sums.size() == b.sums.size() &&
-           std::memcmp(a.sums.data(), b.sums.data(), a.sums.size() * sizeof(FilmSums)) == 0;
+    return a.width == b.width && a.height == b.height && a.ranges == b.ranges && a.sums.size() == b.sums.size() &&
+           std::memcmp(a.sums.data(), b.sums.data(), a.sums.size() * sizeof(FilmSums)) == 0 && a.layers == b.layers;
 }
 
 double divergedShare(const Film& a, const Film& b) {

@@ -17,7 +17,7 @@ constexpr U128 kModulus = U128{1} << 96U;
 
 struct In {
     glm::vec3 color{0};
-    float alpha = 0;
+    float met = 0;  ///< kMet* of shaders/kernels/contribution.glsl
     glm::uvec4 sums[3]{};
 };
 struct Out {
@@ -76,7 +76,7 @@ void compareRounding(Prober& prober, Findings& findings) {
     const auto values = acceptedValues();
     for (std::size_t i = 0; i < values.size(); ++i)
         inputs.push_back(
-            {.color = {values[i], values[(i * 7 + 3) % values.size()], 0.25F}, .alpha = i % 2 == 0 ? 1.0F : 0.0F});
+            {.color = {values[i], values[(i * 7 + 3) % values.size()], 0.25F}, .met = static_cast<float>(i % 3)});
     const auto [out, refused] = run(prober, inputs);
     const auto scope = findings.inputs([&](std::size_t i) { return "addContribution of " + show(inputs[i].color); });
     for (std::size_t i = 0; i < inputs.size(); ++i) {
@@ -89,7 +89,8 @@ void compareRounding(Prober& prober, Findings& findings) {
             findings.equal("the reference's", glm::uvec3(expected[0], expected[1], expected[2]), exact);
             findings.equal("sum with zero", glm::uvec3(out[i].sums[c]), fixed);
         }
-        findings.equal("alpha", out[i].sums[0].w, i % 2 == 0 ? 1U : 0U);
+        findings.equal("alpha", out[i].sums[0].w, i % 3 == 0 ? 0U : 1U);
+        findings.equal("count of surfaces", out[i].sums[1].w, i % 3 == 2 ? 1U : 0U);
         findings.equal("isRefused", out[i].refused, 0U);
     }
     findings.equal("count of refusals", refused, 0U);
@@ -103,7 +104,7 @@ void compareCarries(Prober& prober, Findings& findings) {
         return kind == 0 ? 0xffffffffU : (kind == 1 ? 0U : random.bits());
     };
     for (std::uint32_t i = 0; i < 3000; ++i) {
-        In in{.color = {random.between(0, 1e6F), 0x1p-48F, 0}, .alpha = 1};
+        In in{.color = {random.between(0, 1e6F), 0x1p-48F, 0}, .met = 1};
         for (auto& sum : in.sums) sum = {word(), word(), word(), 0};
         in.sums[0].w = i;
         inputs.push_back(in);
@@ -142,7 +143,7 @@ void compareRefusals(Prober& prober, Findings& findings) {
     std::vector<In> inputs;
     for (const float value : bad)
         for (int channel = 0; channel < 4; ++channel) {
-            In in{.color = {1, 2, 3}, .alpha = 1, .sums = {{1, 2, 3, 4}, {5, 6, 7, 0}, {8, 9, 10, 0}}};
+            In in{.color = {1, 2, 3}, .met = 1, .sums = {{1, 2, 3, 4}, {5, 6, 7, 0}, {8, 9, 10, 0}}};
             if (channel == 3) in.color = glm::vec3(value);
             if (channel < 3) in.color[channel] = value;
             inputs.push_back(in);
