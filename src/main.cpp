@@ -17,7 +17,7 @@ namespace {
 
 using namespace vkpt;
 
-constexpr std::array kCommands{&kRenderCommand, &kVerifyCommand,  &kDiffCommand,
+constexpr std::array kCommands{&kRenderCommand, &kMergeCommand,   &kVerifyCommand, &kDiffCommand,
                                &kInfoCommand,   &kDevicesCommand, &kBenchCommand};
 
 int fail(ExitCode code, const std::string& message) {

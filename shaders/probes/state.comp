@@ -1,7 +1,8 @@
 #version 460
 // Where the kernels keep things: push constants, arrays of the path state, counters and queues. Out, a uint each: the
-// fields of batch; kRefused; the counter and the array of every queue of bounces 0 to 2; pixel and sample of 40 slots. And
-// a word of its own into slot batch.bounce of every state array. src/verify/probes/state.cpp lists the same.
+// fields of batch; kRefused and kRefusedInLayers; the counter and the array of every queue of bounces 0 to 2; pixel and
+// sample of 40 slots. And a word of its own into slot batch.bounce of every state array. src/verify/probes/state.cpp
+// lists the same.
 #extension GL_GOOGLE_include_directive : require
 #include "kernels/preamble.glsl"
 layout(set = 0, binding = 5, std430) writeonly buffer Outputs { uint outputs[]; };
@@ -19,7 +20,9 @@ void main() {
     put(batch.capacity);
     put(batch.pathCount);
     put(batch.filmFirst);
+    put(batch.filmLayers);
     put(kRefused);
+    put(kRefusedInLayers);
     for (uint bounce = 0u; bounce < 3u; ++bounce)
         for (uint queue = kQueueRay; queue <= kQueueShadow; ++queue) {
             put(queueCounter(bounce, queue));

@@ -1,17 +1,32 @@
 #include "base/hash.h"
 
-#include <fmt/format.h>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <vector>
+#include <xxhash.h>
 
-#include "base/error.h"
+#include <fmt/format.h>
+
+#include <bit>
+#include <new>
 
 namespace vkpt {
 
+static_assert(std::endian::native == std::endian::little, "records are hashed as they lie in memory");
+
+struct ContentHash::State {
+    XXH3_state_t* xxh = XXH3_createState();
+};
+
+void ContentHash::Free::operator()(State* state) const {
+    XXH3_freeState(state->xxh);
+    delete state;
+}
+
+ContentHash::ContentHash() : state_(new State) {
+    if (state_->xxh == nullptr) throw std::bad_alloc();
+    XXH3_128bits_reset(state_->xxh);
+}
+
 ContentHash& ContentHash::add(std::span<const std::byte> bytes) {
-    for (const std::byte b : bytes) state_ = (state_ ^ std::to_integer<std::uint64_t>(b)) * 0x100000001b3U;
+    XXH3_128bits_update(state_->xxh, bytes.data(), bytes.size());
     return *this;
 }
 
@@ -21,18 +36,9 @@ ContentHash& ContentHash::add(std::string_view text) {
     return add(std::span(&end, 1));
 }
 
-ContentHash& ContentHash::addFile(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw FileError(path.string(), fmt::format("cannot open: {}", std::strerror(errno)));
-    std::vector<char> block(1U << 16U);
-    while (file) {
-        file.read(block.data(), static_cast<std::streamsize>(block.size()));
-        add(std::as_bytes(std::span(block.data(), static_cast<std::size_t>(file.gcount()))));
-    }
-    if (file.bad()) throw FileError(path.string(), fmt::format("cannot read: {}", std::strerror(errno)));
-    return *this;
+std::string ContentHash::hex() const {
+    const XXH128_hash_t hash = XXH3_128bits_digest(state_->xxh);
+    return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
 }
-
-std::string ContentHash::hex() const { return fmt::format("{:016x}", state_); }
 
 }  // namespace vkpt

@@ -9,9 +9,10 @@ namespace {
 class VulkanRenderer final : public SceneRenderer {
 public:
     VulkanRenderer(const SceneArrays& arrays, const RenderOptions& options, const WavefrontConfig& config)
-        : renderer_(arrays, options, config) {}
+        : renderer_(arrays, options, config), seed_(options.params.seed) {}
 
-    Film render(const RenderControl& control, RenderReport& report) override {
+    Film render(const SampleRange& range, const RenderControl& control, RenderReport& report) override {
+        renderer_.select(seed_, range.begin, range.end);
         WavefrontStats stats;
         Film film = renderer_.render(control, &stats);
         report = {.backend = "vulkan",
@@ -32,6 +33,7 @@ public:
 
 private:
     WavefrontRenderer renderer_;
+    std::uint32_t seed_;
 };
 
 class CpuRenderer final : public SceneRenderer {
@@ -39,7 +41,9 @@ public:
     CpuRenderer(const SceneArrays& arrays, const RenderOptions& options, unsigned threads)
         : arrays_(arrays), options_(options), threads_(threads) {}
 
-    Film render(const RenderControl& control, RenderReport& report) override {
+    Film render(const SampleRange& range, const RenderControl& control, RenderReport& report) override {
+        options_.sampleBegin = range.begin;
+        options_.sampleEnd = range.end;
         ReferenceStats stats;
         Film film = renderReference(arrays_, options_, control, ReferenceConfig{threads_}, &stats);
         report = {};
@@ -55,7 +59,7 @@ public:
 
 private:
     const SceneArrays& arrays_;
-    const RenderOptions& options_;
+    RenderOptions options_;
     unsigned threads_;
 };
 
@@ -64,6 +68,22 @@ double perSecond(std::uint64_t count, double seconds) {
 }
 
 }  // namespace
+
+void addReport(RenderReport& into, const RenderReport& later) {
+    if (into.backend.empty()) {
+        into = later;
+        return;
+    }
+    into.paths += later.paths;
+    into.pathRays += later.pathRays;
+    into.shadowRays += later.shadowRays;
+    into.renderSeconds += later.renderSeconds;
+    into.validationMessages = later.validationMessages;  // the device counts them from its beginning
+    for (std::size_t i = 0; i < into.stages.size(); ++i) {
+        into.stages[i].seconds += later.stages[i].seconds;
+        into.stages[i].items += later.stages[i].items;
+    }
+}
 
 Json reportJson(const RenderReport& report) {
     const std::uint64_t rays = report.pathRays + report.shadowRays;

@@ -20,6 +20,9 @@ struct RenderReport {
     std::vector<StageStats> stages;  ///< empty where the renderer has none
 };
 
+/// Adds counts and times of a later call of the same renderer.
+void addReport(RenderReport& into, const RenderReport& later);
+
 /// Paths, rays and stages with their rates, for --stats and bench.
 [[nodiscard]] Json reportJson(const RenderReport& report);
 
@@ -30,7 +33,8 @@ public:
     SceneRenderer& operator=(const SceneRenderer&) = delete;
     virtual ~SceneRenderer() = default;
 
-    [[nodiscard]] virtual Film render(const RenderControl& control, RenderReport& report) = 0;
+    /// Renders a range of samples, or its beginning where `control` stops it.
+    [[nodiscard]] virtual Film render(const SampleRange& range, const RenderControl& control, RenderReport& report) = 0;
     /// What is allocated on the device; empty for the CPU.
     [[nodiscard]] virtual std::string memoryPlan() const = 0;
 };

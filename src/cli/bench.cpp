@@ -52,16 +52,17 @@ Json benchBackend(const BenchCommand& c, const PreparedScene& prepared, Backend 
     };
     Json runs = Json::array();
     RenderReport best;
+    const SampleRange range{prepared.options.sampleBegin, prepared.options.sampleEnd};
     const auto renderer = makeRenderer(prepared.arrays, prepared.options, options, false);
     for (unsigned i = 0; i < c.repeat && !control.shouldStop(); ++i) {
         RenderReport report;
-        (void)renderer->render(control, report);
+        (void)renderer->render(range, control, report);
         runs.push_back(report.renderSeconds);
         if (i == 0 || report.renderSeconds < best.renderSeconds) best = report;
     }
     if (backend == Backend::Vulkan && !control.shouldStop()) {
         RenderReport timed;
-        (void)makeRenderer(prepared.arrays, prepared.options, options, true)->render(control, timed);
+        (void)makeRenderer(prepared.arrays, prepared.options, options, true)->render(range, control, timed);
         best.stages = timed.stages;
     }
     if (control.shouldStop()) throw Error(ExitCode::Interrupted, "interrupted: no figures");
@@ -115,6 +116,7 @@ std::function<ExitCode()> setUpBench(CLI::App& app) {
     addSceneFile(app, command->scene, false);
     addSceneOptions(app, command->scene);
     addSamplingOptions(app, command->sampling);
+    addAovs(app, command->sampling);
     addParsed(app, "--backend", command->backends, parseBackends, "vulkan|cpu|both", "which to time (default: both)");
     addDeviceOptions(app, command->backend);
     addParsed(app, "--repeat", command->repeat, numberWithin(1U), "N",

@@ -17,7 +17,8 @@ struct Command {
     std::function<ExitCode()> (*setup)(CLI::App& app);
 };
 
-extern const Command kRenderCommand, kVerifyCommand, kDiffCommand, kInfoCommand, kDevicesCommand, kBenchCommand;
+extern const Command kRenderCommand, kMergeCommand, kVerifyCommand, kDiffCommand, kInfoCommand, kDevicesCommand,
+    kBenchCommand;
 
 /// A usage error of `option`, exit 64.
 inline Error usageError(const std::string& option, const std::string& fault) {

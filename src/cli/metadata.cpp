@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "base/hash.h"
 #include "base/version.h"
+#include "scene/content_hash.h"
 
 namespace vkpt {
 namespace {
@@ -33,11 +33,21 @@ std::string rouletteText(const RenderParams& params) {
     }
 }
 
+/// A setting as text, "" where the film is not ours.
+std::string settingText(const Json& settings, const char* key) {
+    const auto at = settings.find(key);
+    if (at == settings.end()) return {};
+    return at->is_string() ? at->get<std::string>() : at->dump();
+}
+
 }  // namespace
 
 Json renderSettings(const PreparedScene& prepared) {
     const RenderParams& p = prepared.options.params;
-    return {{"sceneIndex", prepared.sceneIndex},
+    const SceneHashes hashes = hashScene(prepared.arrays);
+    return {{"version", kVersion},
+            {"scene", prepared.file.filename().string()},
+            {"sceneIndex", prepared.sceneIndex},
             {"size", fmt::format("{}x{}", p.width, p.height)},
             {"spp", p.spp},
             {"seed", p.seed},
@@ -54,30 +64,28 @@ Json renderSettings(const PreparedScene& prepared) {
             {"background", backgroundText(p)},
             {"maxDepth", p.maxDepth},
             {"rr", rouletteText(p)},
-            {"rrDepth", p.rrDepth}};
+            {"rrDepth", p.rrDepth},
+            {"aov", aovsText(prepared.options.aovs)},
+            {"geometry", hashes.geometry},
+            {"materials", hashes.materials},
+            {"lights", hashes.lights},
+            {"environment", hashes.environment},
+            {"options", hashOptions(prepared.options)}};
 }
 
-std::string settingsHash(const PreparedScene& prepared) {
-    ContentHash hash;
-    hash.addFile(prepared.file);
-    for (const std::filesystem::path& file : prepared.sceneFiles) hash.addFile(file);
-    if (!prepared.envFile.empty()) hash.addFile(prepared.envFile);
-    return hash.add(jsonText(renderSettings(prepared), -1)).hex();
-}
-
-ImageMetadata imageMetadata(const PreparedScene& prepared, const RenderReport& report, const Film& film) {
-    const RenderParams& params = prepared.options.params;
+ImageMetadata imageMetadata(const FilmRecord& record) {
+    const Json& settings = record.settings;
     return {{"software", std::string(kSoftware)},
             {"vkpt:version", std::string(kVersion)},
-            {"vkpt:scene", prepared.file.filename().string()},
-            {"vkpt:settings", jsonText(renderSettings(prepared), -1)},
-            {"vkpt:settingsHash", settingsHash(prepared)},
-            {"vkpt:spp", std::to_string(film.samples())},
-            {"vkpt:samples", rangesText(film.ranges)},
-            {"vkpt:seed", std::to_string(params.seed)},
-            {"vkpt:sampler", std::string(samplerName(prepared.options.sampler.id))},
-            {"vkpt:backend", report.backend},
-            {"vkpt:device", report.device}};
+            {"vkpt:scene", settingText(settings, "scene")},
+            {"vkpt:settings", jsonText(settings, -1)},
+            {"vkpt:settingsHash", settingsHash(settings)},
+            {"vkpt:spp", std::to_string(record.film.samples())},
+            {"vkpt:samples", rangesText(record.film.ranges)},
+            {"vkpt:seed", settingText(settings, "seed")},
+            {"vkpt:sampler", settingText(settings, "sampler")},
+            {"vkpt:backend", backendsOf(record)},
+            {"vkpt:device", devicesOf(record)}};
 }
 
 }  // namespace vkpt

@@ -130,6 +130,14 @@ void addSamplingOptions(CLI::App& app, SamplingOptions& options) {
         ->group(group);
 }
 
+void addAovs(CLI::App& app, SamplingOptions& options) {
+    std::string help = "layers beside the picture, with commas between: ";
+    for (const AovInfo& aov : kAovs) help += fmt::format("{}{}", aov.id == kAovs.front().id ? "" : ", ", aov.name);
+    addParsed(app, "--aov", options.aovs, parseAovs, "LIST|all|none", help + " (default: none)",
+              "a list of layers, see --help")
+        ->group("Sampling");
+}
+
 void addBackend(CLI::App& app, BackendOptions& options) {
     addParsed(app, "--backend", options.backend, nameIn(kBackends), namesOf(kBackends),
               "Vulkan, or the CPU reference (default: vulkan)")

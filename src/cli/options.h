@@ -39,6 +39,7 @@ struct SamplingOptions {
     std::uint32_t maxDepth = 8;
     Roulette roulette;
     std::uint32_t rrDepth = 3;
+    AovSet aovs;
 };
 
 enum class Backend { Vulkan, Cpu };
@@ -59,6 +60,7 @@ struct BackendOptions {
 void addSceneFile(CLI::App& app, SceneOptions& options, bool required);
 void addSceneOptions(CLI::App& app, SceneOptions& options);
 void addSamplingOptions(CLI::App& app, SamplingOptions& options);
+void addAovs(CLI::App& app, SamplingOptions& options);
 void addBackend(CLI::App& app, BackendOptions& options);
 void addDeviceOptions(CLI::App& app, BackendOptions& options);
 inline constexpr const char* kCount = "a whole number above 0";

@@ -50,6 +50,7 @@ std::uint32_t roundedSpp(const SamplingOptions& sampling) {
 
 void setSampling(RenderOptions& options, const SamplingOptions& sampling) {
     options.sampler = chooseSampler(sampling.sampler, sampling.scramble);
+    options.aovs = sampling.aovs;
     const std::uint32_t spp = roundedSpp(sampling);
     const SampleRange range = sampling.samples.value_or(SampleRange{0, spp});
     if (range.end > spp)
@@ -146,7 +147,6 @@ EnvironmentKind resolveKind(EnvironmentKind kind, const SceneArrays& arrays) {
 void setEnvironment(PreparedScene& prepared, EnvironmentChoice choice, std::future<EnvironmentMap> file) {
     choice.kind = resolveKind(choice.kind, prepared.arrays);
     prepared.environment = environmentName(choice);
-    if (choice.kind == EnvironmentKind::File) prepared.envFile = choice.file;
     if (choice.kind == EnvironmentKind::None) return;
     const EnvironmentMap map = file.valid() ? file.get() : makeEnvironment(choice);
     addEnvironment(prepared.arrays, map, prepared.envStrength, prepared.envRotation);
@@ -169,7 +169,6 @@ PreparedScene prepareScene(const SceneOptions& scene, const SamplingOptions& sam
     const Scene imported = importGltf(scene.file, {scene.sceneIndex, scene.allowExternal});
     for (const std::string& warning : imported.warnings) spdlog::warn("{}", warning);
     clock.done("import");
-    prepared.sceneFiles = imported.files;
     prepared.arrays = flatten(imported);
     clock.done("flatten");
     setEnvironment(prepared, scene.environment, std::move(environment));

@@ -15,13 +15,11 @@ namespace vkpt {
 /// Everything one render needs, and what it came from.
 struct PreparedScene {
     std::filesystem::path file;
-    std::vector<std::filesystem::path> sceneFiles;  ///< buffers and images that it refers to
     int sceneIndex = -1;
     SceneArrays arrays;  ///< environment and BVH included
     RenderOptions options;
     BvhStats bvh;
     std::string environment;        ///< "none", "studio", "R,G,B" or the name of a file
-    std::filesystem::path envFile;  ///< empty unless it is a file
     float envRotation = 0, envStrength = 1;
     Json seconds;  ///< of each step
 };

@@ -68,10 +68,7 @@ Json describeRun(const VerifyCommand& c, const PreparedScene& prepared) {
 void writeReportFolder(const VerifyCommand& c, const PreparedScene& prepared, VerifyContext& context,
                        const LadderResult& result) {
     const auto metadata = [&](const char* backend, const std::string& device, const Film& film) {
-        RenderReport report;
-        report.backend = backend;
-        report.device = device;
-        return imageMetadata(prepared, report, film);
+        return imageMetadata({film, renderSettings(prepared), {{film.ranges, backend, device, ""}}});
     };
     const SameSeedImages& same = context.sameSeed();
     const std::string device = context.prober().device().info().name;

@@ -1,6 +1,7 @@
 // Images as the bytes of a file. Nothing here touches the disk.
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,8 +20,31 @@ using ImageMetadata = std::vector<std::pair<std::string, std::string>>;
 /// Throws Error where the encoder refuses.
 [[nodiscard]] Bytes encodePng(const Image& display, int bits, const ImageMetadata& metadata);
 
-/// OpenEXR of linear values, 3 or 4 channels (premultiplied alpha), 32-bit float, ZIP; metadata as string
-/// attributes.
+/// One channel of an EXR part. The values are somebody else's and must outlive the encoding.
+struct ExrChannel {
+    enum class Type : std::uint8_t { Float, Uint };
+
+    std::string name;
+    Type type = Type::Float;
+    const void* first = nullptr;  ///< of the upper left pixel
+    std::size_t pixelStride = 0;  ///< bytes to the next pixel; rows follow each other
+};
+
+/// One part: an image of its own with a name.
+struct ExrPart {
+    std::string name;
+    ImageMetadata metadata;  ///< string attributes
+    std::vector<ExrChannel> channels;
+};
+
+/// OpenEXR, ZIP, one part or several of the same size; a single one is a plain file, readable by anything. Works on
+/// all threads that TBB may use.
+[[nodiscard]] Bytes encodeExr(std::uint32_t width, std::uint32_t height, const std::vector<ExrPart>& parts);
+
+/// The channels of an image, by names in their order.
+[[nodiscard]] std::vector<ExrChannel> channelsOf(const Image& image, const std::vector<std::string>& names);
+
+/// A single part of linear values, 3 or 4 channels (premultiplied alpha), 32-bit float.
 [[nodiscard]] Bytes encodeExr(const Image& linear, const ImageMetadata& metadata);
 
 /// Radiance RGBE of the first three channels.

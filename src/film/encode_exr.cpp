@@ -2,11 +2,14 @@
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfIO.h>
+#include <ImfMultiPartOutputFile.h>
 #include <ImfOutputFile.h>
+#include <ImfOutputPart.h>
+#include <ImfPartType.h>
 #include <ImfStringAttribute.h>
+#include <ImfThreading.h>
+#include <oneapi/tbb/global_control.h>
 
-#include <algorithm>
-#include <array>
 #include <cassert>
 #include <cstring>
 
@@ -36,30 +39,75 @@ private:
     std::size_t position_ = 0;
 };
 
+Imf::PixelType pixelType(const ExrChannel& channel) {
+    return channel.type == ExrChannel::Type::Uint ? Imf::UINT : Imf::FLOAT;
+}
+
+Imf::Header headerOf(std::uint32_t width, std::uint32_t height, const ExrPart& part) {
+    Imf::Header header(static_cast<int>(width), static_cast<int>(height));
+    header.compression() = Imf::ZIP_COMPRESSION;
+    header.setType(Imf::SCANLINEIMAGE);
+    if (!part.name.empty()) header.setName(part.name);
+    for (const auto& [key, value] : part.metadata) header.insert(key, Imf::StringAttribute(value));
+    for (const ExrChannel& channel : part.channels)
+        header.channels().insert(channel.name, Imf::Channel(pixelType(channel)));
+    return header;
+}
+
+Imf::FrameBuffer frameBufferOf(std::uint32_t width, const ExrPart& part) {
+    Imf::FrameBuffer frame;
+    for (const ExrChannel& channel : part.channels) {
+        // OpenEXR takes a pointer it never writes through.
+        char* base = static_cast<char*>(const_cast<void*>(channel.first));
+        frame.insert(channel.name,
+                     Imf::Slice(pixelType(channel), base, channel.pixelStride, channel.pixelStride * width));
+    }
+    return frame;
+}
+
+void useAllThreads() {
+    const auto threads =
+        oneapi::tbb::global_control::active_value(oneapi::tbb::global_control::max_allowed_parallelism);
+    Imf::setGlobalThreadCount(static_cast<int>(threads));
+}
+
 }  // namespace
+
+Bytes encodeExr(std::uint32_t width, std::uint32_t height, const std::vector<ExrPart>& parts) {
+    assert(!parts.empty());
+    useAllThreads();
+    std::vector<Imf::Header> headers;
+    for (const ExrPart& part : parts) headers.push_back(headerOf(width, height, part));
+    MemoryStream stream;
+    if (parts.size() == 1) {
+        Imf::OutputFile file(stream, headers.front());
+        file.setFrameBuffer(frameBufferOf(width, parts.front()));
+        file.writePixels(static_cast<int>(height));
+    } else {
+        Imf::MultiPartOutputFile file(stream, headers.data(), static_cast<int>(headers.size()));
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            Imf::OutputPart output(file, static_cast<int>(i));
+            output.setFrameBuffer(frameBufferOf(width, parts[i]));
+            output.writePixels(static_cast<int>(height));
+        }
+    }  // the destructors complete the file
+    return stream.take();
+}
+
+std::vector<ExrChannel> channelsOf(const Image& image, const std::vector<std::string>& names) {
+    assert(names.size() == image.channels);
+    std::vector<ExrChannel> channels;
+    for (std::size_t c = 0; c < names.size(); ++c)
+        channels.push_back(
+            {names[c], ExrChannel::Type::Float, image.pixels.data() + c, image.channels * sizeof(float)});
+    return channels;
+}
 
 Bytes encodeExr(const Image& linear, const ImageMetadata& metadata) {
     assert(linear.channels == 3 || linear.channels == 4);
-    constexpr std::array names{"R", "G", "B", "A"};
-    Imf::Header header(static_cast<int>(linear.width), static_cast<int>(linear.height));
-    header.compression() = Imf::ZIP_COMPRESSION;
-    for (const auto& [key, value] : metadata) header.insert(key, Imf::StringAttribute(value));
-
-    Imf::FrameBuffer frame;
-    const std::size_t pixelStride = linear.channels * sizeof(float), rowStride = pixelStride * linear.width;
-    // OpenEXR takes a pointer it never writes through.
-    char* base = reinterpret_cast<char*>(const_cast<float*>(linear.pixels.data()));
-    for (std::size_t c = 0; c < linear.channels; ++c) {
-        header.channels().insert(names[c], Imf::Channel(Imf::FLOAT));
-        frame.insert(names[c], Imf::Slice(Imf::FLOAT, base + c * sizeof(float), pixelStride, rowStride));
-    }
-    MemoryStream stream;
-    {
-        Imf::OutputFile file(stream, header);
-        file.setFrameBuffer(frame);
-        file.writePixels(static_cast<int>(linear.height));
-    }  // the destructor completes the file
-    return stream.take();
+    std::vector<std::string> names{"R", "G", "B", "A"};
+    names.resize(linear.channels);
+    return encodeExr(linear.width, linear.height, {{"", metadata, channelsOf(linear, names)}});
 }
 
 }  // namespace vkpt

@@ -2,6 +2,8 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <string_view>
 
 namespace vkpt {
@@ -53,5 +55,11 @@ struct AovSet {
 };
 
 inline constexpr AovSet kAllAovs{(1U << kAovs.size()) - 1};
+
+/// "albedo,normal", in the order of kAovs; "none" of an empty set.
+[[nodiscard]] std::string aovsText(AovSet aovs);
+
+/// Names with commas between them, "all" or "none"; nothing where the text is anything else.
+[[nodiscard]] std::optional<AovSet> parseAovs(std::string_view text);
 
 }  // namespace vkpt

@@ -20,7 +20,7 @@ protected:
         setUpLog(Verbosity::Quiet);
     }
     [[nodiscard]] PreparedScene prepare() const { return prepareScene(scene_, sampling_); }
-    [[nodiscard]] std::string hash() const { return settingsHash(prepare()); }
+    [[nodiscard]] std::string hash() const { return settingsHash(renderSettings(prepare())); }
     void expectUsageError(const char* option) const {
         try {
             (void)prepare();
@@ -120,15 +120,15 @@ TEST_F(SceneSetup, SettingsHashFollowsTheFilesOfTheScene) {
     folder_.write("buffer.bin", triangleBuffer());
     EXPECT_EQ(hash(), before);
     folder_.write("t.gltf", triangleGltf() + " ");
-    EXPECT_NE(hash(), before);
+    EXPECT_EQ(hash(), before) << "what the file says is hashed, not how";
 }
 
 TEST_F(SceneSetup, MetadataTellsTheWholeStory) {
     Film film(8, 8);
     film.ranges = {{4, 6}};
-    RenderReport report;
-    report.backend = "cpu";
-    const ImageMetadata metadata = imageMetadata(prepare(), report, film);
+    FilmRecord record{Film(8, 8), renderSettings(prepare()), {}};
+    addSamples(record, film, "cpu", "CPU reference", "");
+    const ImageMetadata metadata = imageMetadata(record);
     const auto value = [&](std::string_view key) {
         for (const auto& [k, v] : metadata)
             if (k == key) return v;
@@ -142,6 +142,8 @@ TEST_F(SceneSetup, MetadataTellsTheWholeStory) {
     EXPECT_EQ(value("vkpt:seed"), "0");
     EXPECT_EQ(value("vkpt:sampler"), "sobol");
     EXPECT_EQ(value("vkpt:settingsHash"), hash());
+    EXPECT_EQ(value("vkpt:backend"), "cpu");
+    EXPECT_EQ(value("vkpt:device"), "CPU reference");
     EXPECT_EQ(Json::parse(value("vkpt:settings")).at("env"), "studio");
 }
 

@@ -13,6 +13,7 @@ find_package(JPEG REQUIRED)
 find_path(VKPT_TINYGLTF tiny_gltf.h REQUIRED)  # header only: src/gltf/tinygltf.cpp compiles it
 pkg_check_modules(spng REQUIRED IMPORTED_TARGET spng)
 pkg_check_modules(stb REQUIRED IMPORTED_TARGET stb)
+pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
 
 if(VKPT_BUILD_TESTS)
   find_package(GTest REQUIRED)

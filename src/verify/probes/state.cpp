@@ -11,7 +11,7 @@
 namespace vkpt {
 namespace {
 
-constexpr BatchParams kBatch{11, 12, 13, 14, 5, 40, 17, 18};
+constexpr BatchParams kBatch{11, 12, 13, 14, 5, 40, 17, 18, 19};
 constexpr std::uint32_t kBounces = 3, kSlots = 40, kWidth = 10;
 
 struct Read {
@@ -36,16 +36,24 @@ Read runStateProbe(Prober& prober) {
     recorder.begin();
     recorder.dispatch(kernel, group, kBatch, 1);
     recorder.submitAndWait();
-    return {readStorage<std::uint32_t>(device, outputs, 0, 9 + kBounces * kQueues * 2 + 2 * kSlots),
+    return {readStorage<std::uint32_t>(device, outputs, 0, 11 + kBounces * kQueues * 2 + 2 * kSlots),
             readStorage<uvec4>(device, state, 0, empty.size())};
 }
 
 std::vector<std::pair<std::string, std::size_t>> expectedOutputs() {
     const BatchParams& b = kBatch;
     std::vector<std::pair<std::string, std::size_t>> list = {
-        {"firstPixel", b.firstPixel},   {"pixelCount", b.pixelCount}, {"firstSample", b.firstSample},
-        {"sampleCount", b.sampleCount}, {"bounce", b.bounce},         {"capacity", b.capacity},
-        {"pathCount", b.pathCount},     {"filmFirst", b.filmFirst},   {"counter of refusals", kRefusedCounter}};
+        {"firstPixel", b.firstPixel},
+        {"pixelCount", b.pixelCount},
+        {"firstSample", b.firstSample},
+        {"sampleCount", b.sampleCount},
+        {"bounce", b.bounce},
+        {"capacity", b.capacity},
+        {"pathCount", b.pathCount},
+        {"filmFirst", b.filmFirst},
+        {"filmLayers", b.filmLayers},
+        {"counter of refusals", kRefusedCounter},
+        {"counter of refusals in layers", kRefusedInLayersCounter}};
     for (std::uint32_t bounce = 0; bounce < kBounces; ++bounce)
         for (std::uint32_t q = 0; q < kQueues; ++q) {
             const auto queue = static_cast<Queue>(q);

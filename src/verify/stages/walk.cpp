@@ -52,6 +52,7 @@ void StageWalk::see(const StageSnapshot& now) {
         case Stage::Shadow:
             return shadow(now);
         case Stage::Accumulate:
+        case Stage::Layers:  // writes to the film alone
             return;
     }
 }

@@ -1,0 +1,35 @@
+// The files of render and merge: options, checks beforehand, writing.
+#pragma once
+#include <CLI/App.hpp>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "film/film_record.h"
+#include "film/write_image.h"
+
+namespace vkpt {
+
+struct OutputOptions {
+    std::vector<std::filesystem::path> files;
+    WriteOptions write;
+    bool film = true;  ///< EXR files hold the exact film
+};
+
+/// `-o`, how PNG files look, and --no-film. `whenAbsent`: what the help says of no -o.
+void addOutputOptions(CLI::App& app, OutputOptions& options, const std::string& whenAbsent);
+
+/// Finds out what cannot be written before an hour of work, not after. Throws Error (usage) for an extension that is
+/// no format, FileError for a file that cannot be written.
+void checkOutputs(const OutputOptions& options);
+
+/// Writes every file. Each appears whole or not at all. Throws FileError.
+void writeFilmFiles(const FilmRecord& record, const OutputOptions& options);
+
+/// Writes an EXR file with everything in it. Throws FileError.
+void writeFilm(const std::filesystem::path& file, const FilmRecord& record);
+
+/// Tells of what was refused, and of samples from several devices.
+void warnOfFilm(const FilmRecord& record);
+
+}  // namespace vkpt

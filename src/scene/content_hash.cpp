@@ -1,0 +1,53 @@
+#include "scene/content_hash.h"
+
+#include "base/hash.h"
+
+namespace vkpt {
+namespace {
+
+template <class Value>
+std::span<const std::byte> bytesOf(const Value& value) {
+    static_assert(std::is_trivially_copyable_v<Value>);
+    return std::as_bytes(std::span(&value, 1));
+}
+
+}  // namespace
+
+SceneHashes hashScene(const SceneArrays& arrays) {
+    // Names every member, so that a new one does not compile until it is hashed or known to be derived.
+    const auto& [triangles, vertices, vertexExtras, meshRanges, instances, instanceMesh, materials, textures, texels,
+                 lights, lightCdf, lightPower, envTexels, envRows, envColumns, envWidth, envHeight, envLight,
+                 envRotation, nodes, rootNode, boundsMin, boundsMax, features, objectNames, materialNames,
+                 droppedTriangles, droppedInstances] = arrays;
+    SceneHashes hashes;
+    hashes.geometry = ContentHash()
+                          .add(triangles)
+                          .add(vertices)
+                          .add(vertexExtras)
+                          .add(meshRanges)
+                          .add(instances)
+                          .add(instanceMesh)
+                          .add(nodes)
+                          .add(bytesOf(rootNode))
+                          .hex();
+    hashes.materials = ContentHash().add(materials).add(textures).add(texels).hex();
+    hashes.lights = ContentHash().add(lights).add(lightCdf).hex();
+    ContentHash environment;
+    environment.add(envTexels).add(envRows).add(envColumns);
+    environment.add(bytesOf(envWidth)).add(bytesOf(envHeight)).add(bytesOf(envLight)).add(bytesOf(envRotation));
+    hashes.environment = environment.hex();
+    return hashes;
+}
+
+std::string hashOptions(const RenderOptions& options) {
+    const auto& [params, sampler, sampleBegin, sampleEnd, aovs] = options;
+    const auto& [samplerId, scramble] = sampler;
+    return ContentHash()
+        .add(bytesOf(params))
+        .add(bytesOf(samplerId))
+        .add(bytesOf(scramble))
+        .add(bytesOf(aovs.bits))
+        .hex();
+}
+
+}  // namespace vkpt
