@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/hash.h"
+#include "base/json.h"
 
 namespace vkpt {
 namespace {
@@ -50,7 +51,7 @@ ExrPart filmPart(const FilmRecord& record, ImageMetadata metadata) {
     };
     put(attribute::kVersion, std::string(kFilmPartVersion));
     put(attribute::kSamples, rangesText(record.film.ranges));
-    put(attribute::kSettings, record.settings.dump());
+    put(attribute::kSettings, jsonText(record.settings, -1));
     put(attribute::kSettingsHash, settingsHash(record.settings));
     put(attribute::kSources, sourcesText(record.sources));
     put(attribute::kRefused, std::to_string(record.film.refused));

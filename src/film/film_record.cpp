@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/hash.h"
+#include "base/json.h"
 
 namespace vkpt {
 namespace {
@@ -68,7 +69,7 @@ bool isDescription(const std::string& key) { return contains(kDescriptions, key)
 std::string settingsHash(const Json& settings) {
     ContentHash hash;
     for (const auto& [key, value] : settings.items())
-        if (!isDescription(key)) hash.add(key).add(value.dump());
+        if (!isDescription(key)) hash.add(key).add(jsonText(value, -1));
     return hash.hex();
 }
 
