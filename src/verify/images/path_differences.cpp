@@ -8,7 +8,7 @@
 namespace vkpt {
 
 void PathDifferences::add(const Film& device, const Film& reference) {
-    add(filmToImage(device), filmToImage(reference), reference.sampleBegin);
+    add(filmToImage(device), filmToImage(reference), reference.sampleBegin());
 }
 
 void PathDifferences::add(const Image& a, const Image& b, std::uint32_t index) {
