@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <iostream>
@@ -61,6 +62,7 @@ ExitCode run(CLI::App& app, int argc, char** argv) {
 
 int main(int argc, char** argv) {
     CLI::App app("Path tracer for glTF 2.0 on Vulkan compute, with an independent CPU reference.", "vkpt");
+    std::signal(SIGXFSZ, SIG_IGN);  // a file beyond a limit is an error like a full disk, not the end
     try {
         setUpLog(Verbosity::Normal);
         return static_cast<int>(run(app, argc, argv));

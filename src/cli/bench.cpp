@@ -13,6 +13,7 @@
 #include "cli/command.h"
 #include "cli/metadata.h"
 #include "cli/scene_setup.h"
+#include "cli/thread_limit.h"
 
 namespace vkpt {
 namespace {

@@ -153,7 +153,7 @@ void addDeviceOptions(CLI::App& app, BackendOptions& options) {
               "how kernels read the scene (default: auto)")
         ->group(group);
     app.add_flag("--validate", options.validate, "turn Vulkan's validation layers on")->group(group);
-    addParsed(app, "--nthreads", options.threads, numberWithin(1U), "N", "threads of the host (default: all)", kCount)
+    addParsed(app, "--nthreads", options.threads, numberWithin(1U), "N", "threads of the host, and of lavapipe (default: all)", kCount)
         ->group(group);
 }
 

@@ -17,6 +17,7 @@
 #include "cli/metadata.h"
 #include "cli/output_name.h"
 #include "cli/scene_setup.h"
+#include "cli/thread_limit.h"
 #include "film/read_film.h"
 
 namespace vkpt {

@@ -1,7 +1,6 @@
 #include "cli/scene_setup.h"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/global_control.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -182,16 +181,5 @@ PreparedScene prepareScene(const SceneOptions& scene, const SamplingOptions& sam
     clock.done("bvh");
     return prepared;
 }
-
-struct ThreadLimit::Impl {
-    tbb::global_control control;
-};
-
-ThreadLimit::ThreadLimit(unsigned threads) {
-    if (threads > 0)
-        impl_ = std::make_unique<Impl>(tbb::global_control(tbb::global_control::max_allowed_parallelism, threads));
-}
-
-ThreadLimit::~ThreadLimit() = default;
 
 }  // namespace vkpt

@@ -28,17 +28,4 @@ struct PreparedScene {
 /// Error(Usage), naming the option, for a choice the scene does not offer.
 [[nodiscard]] PreparedScene prepareScene(const SceneOptions& scene, const SamplingOptions& sampling);
 
-/// Uses at most `threads` threads of the host while alive; 0: all.
-class ThreadLimit {
-public:
-    explicit ThreadLimit(unsigned threads);
-    ~ThreadLimit();
-    ThreadLimit(const ThreadLimit&) = delete;
-    ThreadLimit& operator=(const ThreadLimit&) = delete;
-
-private:
-    struct Impl;
-    std::unique_ptr<Impl> impl_;
-};
-
 }  // namespace vkpt

@@ -10,6 +10,7 @@
 #include "cli/command.h"
 #include "cli/metadata.h"
 #include "cli/scene_setup.h"
+#include "cli/thread_limit.h"
 #include "verify/context.h"
 #include "verify/ladder.h"
 #include "verify/ladder_text.h"

@@ -32,7 +32,7 @@ Device::Device(const DeviceOptions& options)
     info_ = describeDevice(physical_, index);
     vkGetPhysicalDeviceMemoryProperties(physical_, &memory_);
     createDevice();
-    vkGetDeviceQueue(device_, info_.queueFamily, 0, &queue_);
+    vkGetDeviceQueue(device_.get(), info_.queueFamily, 0, &queue_);
     cache_ = std::make_unique<PipelineCache>(*this);
 }
 
@@ -52,13 +52,13 @@ void Device::createDevice() {
     info.enabledExtensionCount = hasExtension(physical_, portability) ? 1 : 0;
     info.ppEnabledExtensionNames = &portability;
     const FlushDenormals flush;  // the driver may start threads
-    check(vkCreateDevice(physical_, &info, nullptr, &device_), fmt::format("open device '{}'", info_.name));
+    VkDevice device = VK_NULL_HANDLE;
+    check(vkCreateDevice(physical_, &info, nullptr, &device), fmt::format("open device '{}'", info_.name));
+    device_.reset(device);
 }
 
 Device::~Device() {
-    vkDeviceWaitIdle(device_);  // nothing can be done here about a lost device
-    cache_.reset();
-    vkDestroyDevice(device_, nullptr);
+    vkDeviceWaitIdle(device_.get());  // nothing can be done here about a lost device
 }
 
 std::uint32_t Device::memoryType(std::uint32_t allowed, VkMemoryPropertyFlags required,
@@ -79,7 +79,7 @@ void Device::setNameOf(VkObjectType type, std::uint64_t handle, std::string_view
     info.objectType = type;
     info.objectHandle = handle;
     info.pObjectName = text.c_str();
-    check(vkSetDebugUtilsObjectNameEXT(device_, &info), "name an object");
+    check(vkSetDebugUtilsObjectNameEXT(device_.get(), &info), "name an object");
 }
 
 std::uint64_t Device::validationMessages() const { return instance_->validationMessages(); }

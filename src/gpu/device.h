@@ -29,7 +29,7 @@ public:
     Device& operator=(const Device&) = delete;
 
     [[nodiscard]] const DeviceInfo& info() const { return info_; }
-    [[nodiscard]] VkDevice handle() const { return device_; }
+    [[nodiscard]] VkDevice handle() const { return device_.get(); }
     [[nodiscard]] VkPhysicalDevice physical() const { return physical_; }
     [[nodiscard]] VkQueue queue() const { return queue_; }
     [[nodiscard]] PipelineCache& pipelineCache() { return *cache_; }
@@ -50,13 +50,17 @@ public:
     [[nodiscard]] std::vector<std::string> validationLog() const;
 
 private:
+    struct DestroyDevice {
+        void operator()(VkDevice device) const { vkDestroyDevice(device, nullptr); }
+    };
+
     void setNameOf(VkObjectType type, std::uint64_t handle, std::string_view name) const;
     void createDevice();
 
     std::unique_ptr<Instance> instance_;
     VkPhysicalDevice physical_ = VK_NULL_HANDLE;
     DeviceInfo info_;
-    VkDevice device_ = VK_NULL_HANDLE;
+    std::unique_ptr<VkDevice_T, DestroyDevice> device_;
     VkQueue queue_ = VK_NULL_HANDLE;
     VkPhysicalDeviceMemoryProperties memory_{};
     std::unique_ptr<PipelineCache> cache_;

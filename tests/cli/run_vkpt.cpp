@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -22,6 +23,10 @@ namespace fs = std::filesystem;
     ::dup2(::open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDERR_FILENO);
     std::vector<std::string> environment = options.environment;
     for (std::string& variable : environment) ::putenv(variable.data());
+    if (options.mostFileBytes > 0) {
+        const rlimit limit{options.mostFileBytes, options.mostFileBytes};
+        if (::setrlimit(RLIMIT_FSIZE, &limit) != 0) std::_Exit(126);
+    }
     std::vector<char*> argv{const_cast<char*>(VKPT_BINARY)};
     for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
     argv.push_back(nullptr);

@@ -18,6 +18,7 @@ struct RunOptions {
     std::filesystem::path folder{};          ///< where it runs
     std::vector<std::string> environment{};  ///< "NAME=value", added to the caller's
     std::string interruptAfter{};            ///< send SIGINT once stderr holds this text
+    std::size_t mostFileBytes = 0;           ///< the largest file it may write; 0: any
 };
 
 [[nodiscard]] RunResult runVkpt(const std::vector<std::string>& arguments, const RunOptions& options);

@@ -1,0 +1,21 @@
+// --nthreads: how many threads the process uses.
+#pragma once
+#include <memory>
+
+namespace vkpt {
+
+/// While it lives the host uses at most `threads` threads, and so does a lavapipe device that is opened, unless the
+/// environment says otherwise (LP_NUM_THREADS); 0: all.
+class ThreadLimit {
+public:
+    explicit ThreadLimit(unsigned threads);
+    ~ThreadLimit();
+    ThreadLimit(const ThreadLimit&) = delete;
+    ThreadLimit& operator=(const ThreadLimit&) = delete;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace vkpt

@@ -1,0 +1,56 @@
+#include "cli/thread_limit.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <iterator>
+#include <string>
+#include <thread>
+
+#include "gpu/device.h"
+
+namespace vkpt {
+namespace {
+
+std::ptrdiff_t threads() {
+    return std::distance(std::filesystem::directory_iterator("/proc/self/task"), std::filesystem::directory_iterator());
+}
+
+/// Threads that opening a device starts.
+std::ptrdiff_t threadsOfDriver(std::string& driver) {
+    const std::ptrdiff_t before = threads();
+    const Device device({.select = getenv("VKPT_TEST_DEVICE") ? getenv("VKPT_TEST_DEVICE") : ""});
+    driver = device.info().name;
+    return threads() - before;
+}
+
+TEST(ThreadLimit, HoldsForLavapipe) {
+    std::string driver;
+    const std::ptrdiff_t all = threadsOfDriver(driver);
+    if (driver.find("llvmpipe") == std::string::npos) GTEST_SKIP() << driver << " chooses its own threads";
+    const ThreadLimit limit(1);
+    const std::ptrdiff_t one = threadsOfDriver(driver);
+    if (std::thread::hardware_concurrency() > 1)
+        EXPECT_LT(one, all);
+    else
+        EXPECT_LE(one, all);
+}
+
+TEST(ThreadLimit, LeavesTheUsersOwnChoiceOfDriverThreads) {
+    ::setenv("LP_NUM_THREADS", "7", 1);
+    {
+        const ThreadLimit limit(1);
+        EXPECT_STREQ(std::getenv("LP_NUM_THREADS"), "7");
+    }
+    EXPECT_STREQ(std::getenv("LP_NUM_THREADS"), "7");
+    ::unsetenv("LP_NUM_THREADS");
+    {
+        const ThreadLimit limit(3);
+        EXPECT_STREQ(std::getenv("LP_NUM_THREADS"), "3");
+    }
+    EXPECT_EQ(std::getenv("LP_NUM_THREADS"), nullptr);
+}
+
+}  // namespace
+}  // namespace vkpt
