@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 /// Folders on one line are siblings: neither includes the other.
 const std::vector<std::vector<std::string>> kOrder{
-    {"base"}, {"scene"}, {"gltf"}, {"bvh"}, {"gpu"}, {"film"}, {"wavefront", "reference"}, {"compare"}, {"verify"}, {"cli"}};
+    {"base"}, {"scene"}, {"gltf"}, {"bvh"}, {"gpu"}, {"film"}, {"wavefront", "reference"}, {"compare"}, {"verify"}, {"plot"}, {"analysis"}, {"cli"}};
 
 std::optional<std::size_t> levelOf(const std::string& folder) {
     for (std::size_t level = 0; level < kOrder.size(); ++level)

@@ -61,6 +61,13 @@ TEST_F(Program, UsageErrorsAre64AndOneLineThatNamesTheFault) {
         {{"render", kCornellBox, "--samples", "1:99"}, "--samples"},
         {{"info"}, "SCENE"},
         {{"bench", "--backend", "gpu"}, "--backend"},
+        {{"render", kCornellBox, "--sampler", "lhs", "--scramble", "owen"}, "--scramble"},
+        {{"render", kCornellBox, "--sampler", "sobol", "--scramble", "faure"}, "owen|xor|none"},
+        {{"samples", "--sampler", "nobody"}, "--sampler"},
+        {{"samples", "--projections", "--dims", "1"}, "--dims"},
+        {{"samples", "--radical-inverse", "1"}, "--radical-inverse"},
+        {{"samples", "--spectrum", "--discrepancy"}, "--spectrum"},
+        {{"samples", "-o", "a.bmp"}, "--output"},
     };
     for (const auto& [words, named] : cases) {
         const RunResult r = run(words);
@@ -75,7 +82,7 @@ TEST_F(Program, UsageErrorsAre64AndOneLineThatNamesTheFault) {
 TEST_F(Program, HelpOfEveryCommandShowsAnExample) {
     EXPECT_EQ(run({"--help"}).code, 0);
     EXPECT_THAT(run({"--version"}).out, testing::StartsWith("vkpt "));
-    for (const char* command : {"render", "info", "devices", "bench", "diff"}) {
+    for (const char* command : {"render", "info", "devices", "bench", "diff", "samples"}) {
         const RunResult r = run({command, "--help"});
         EXPECT_EQ(r.code, 0);
         EXPECT_THAT(r.out, HasSubstr(std::string("Example:\n  vkpt ") + command));
@@ -234,6 +241,38 @@ TEST_F(Program, BenchTimesBothBackends) {
         EXPECT_GT(result.at("secondsToFirstPass").get<double>(), 0);
     }
     EXPECT_FALSE(results[0].at("stages").empty());
+}
+
+// --spp is rounded before --samples applies.
+TEST_F(Program, SampleCountsAreRoundedWithANotice) {
+    const RunResult r = render({"--backend", "cpu", "--sampler", "orthogonal", "-o", "a.exr", "--samples", "0:9"}, {}, "5");
+    ASSERT_EQ(r.code, 0) << r.err;
+    EXPECT_THAT(r.err, HasSubstr("--spp 5: 'orthogonal' takes the square of a prime, so 9"));
+    EXPECT_EQ(attribute("a.exr", "vkpt:spp"), "9");
+}
+
+TEST_F(Program, SamplesGivesTableJsonAndPictures) {
+    const RunResult table = run({"samples", "--sampler", "jittered,poissondisk", "--count", "16", "--grid", "-o", "a.svg"});
+    ASSERT_EQ(table.code, 0) << table.err;
+    EXPECT_THAT(table.out, HasSubstr("jittered: 16 points"));
+    EXPECT_THAT(readText(folder_.path() / "a.svg"), testing::StartsWith("<svg"));
+    const std::pair<Words, const char*> studies[] = {{{"--projections", "--dims", "0,1,2"}, "points"},
+                                                     {{"--discrepancy"}, "l2Star"},
+                                                     {{"--spectrum", "--count", "64"}, "radialMean"},
+                                                     {{"--convergence", "--count", "16"}, "slope"}};
+    for (const auto& [words, field] : studies) {
+        Words all{"samples", "--sampler", "sobol", "--json", "-o", "a.png"};
+        all.insert(all.end(), words.begin(), words.end());
+        const RunResult r = run(all);
+        ASSERT_EQ(r.code, 0) << r.err;
+        EXPECT_TRUE(Json::parse(r.out).at(0).contains(field)) << field;
+        EXPECT_GT(image("a.png").width, 100U);
+    }
+    const RunResult inverse = run({"samples", "--radical-inverse", "2", "--count", "5", "--json"});
+    const Json row = Json::parse(inverse.out).at("rows").at(4);  // the lecture's n = 5: 101, 0.101 = 5/8
+    EXPECT_EQ(row.at("inverse"), "0.101");
+    EXPECT_EQ(row.at("numerator"), 5);
+    EXPECT_EQ(row.at("denominator"), 8);
 }
 
 // A buffer of 4 GB, of which the disk holds nothing, where the process may have 2.

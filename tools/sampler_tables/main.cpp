@@ -29,7 +29,8 @@ std::vector<std::uint32_t> pmj02Tables() {
     std::mt19937 random(kSeed);
     std::vector<std::uint32_t> words;
     for (std::uint32_t table = 0; table < kPmj02Tables; ++table)
-        for (const Point16& p : makePmj02(std::countr_zero(kPmj02Points) / 2, random)) words.push_back(p.x | p.y << 16U);
+        for (const Point16& p : makePmj02(std::countr_zero(kPmj02Points) / 2, random))
+            words.push_back(p.x | p.y << 16U);
     return words;
 }
 

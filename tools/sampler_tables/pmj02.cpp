@@ -68,7 +68,8 @@ public:
             const bool alongX = drawBelow(random_, 2) == 0;
             place(fourfold, s, points_[i].x ^ (alongX ? flip : 0), points_[i].y ^ (alongX ? 0 : flip));
         }
-        for (std::size_t i = 0; i < n; ++i) place(fourfold, s, points_[2 * n + i].x ^ flip, points_[2 * n + i].y ^ flip);
+        for (std::size_t i = 0; i < n; ++i)
+            place(fourfold, s, points_[2 * n + i].x ^ flip, points_[2 * n + i].y ^ flip);
     }
 
     [[nodiscard]] const std::vector<Point16>& points() const { return points_; }

@@ -65,7 +65,7 @@ std::vector<std::uint32_t> makeVoidAndCluster(std::uint32_t side, std::mt19937& 
     const std::uint32_t cells = side * side, ones = cells / 10;
     Pattern pattern(side, random);
     for (std::uint32_t i = 0; i < ones; ++i) pattern.flip(pattern.order()[i]);
-    for (std::uint32_t cluster = cells, hole = 0;; ) {  // move points from clusters to voids until nothing moves
+    for (std::uint32_t cluster = cells, hole = 0;;) {  // move points from clusters to voids until nothing moves
         cluster = pattern.tightestCluster();
         pattern.flip(cluster);
         hole = pattern.largestVoid();

@@ -1,5 +1,5 @@
-// Multi-jittered sampling [Chiu 94]: jittered, and of both dimensions one sample a row of the N fine ones; the fine rows
-// are shuffled anew within every column and row of cells.
+// Multi-jittered sampling [Chiu 94]: jittered, and of both dimensions one sample a row of the N fine ones; the fine
+// rows are shuffled anew within every column and row of cells.
 #include "reference/samplers/bits.h"
 #include "reference/samplers/strata.h"
 

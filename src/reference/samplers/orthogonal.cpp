@@ -1,5 +1,5 @@
-// Orthogonal arrays of strength 2, Bose's construction, sampled as in [Jarosz 19]: of any two dimensions of an array one
-// sample a cell of the p x p grid, of every dimension one a row of p^2.
+// Orthogonal arrays of strength 2, Bose's construction, sampled as in [Jarosz 19]: of any two dimensions of an array
+// one sample a cell of the p x p grid, of every dimension one a row of p^2.
 #include "reference/samplers/bits.h"
 #include "reference/samplers/strata.h"
 #include "scene/primes.h"

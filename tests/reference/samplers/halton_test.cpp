@@ -3,9 +3,9 @@
 
 #include "reference/samplers/points.h"
 #include "reference/samplers/radical_inverse.h"
+#include "reference/statistics.h"
 #include "scene/primes.h"
 #include "scene/sampler_table.h"
-#include "reference/statistics.h"
 
 namespace vkpt::reference {
 namespace {
@@ -21,11 +21,18 @@ const SamplerChoice kPlain{SamplerId::Halton, ScrambleId::None};
 
 // The first points in bases 2, 3 and 5 as [Halton 60] and every textbook has them.
 TEST(Halton, FirstPointsAreThePublishedOnes) {
-    const double expected[][3] = {{0, 0, 0},           {1 / 2., 1 / 3., 1 / 5.}, {1 / 4., 2 / 3., 2 / 5.},
-                                  {3 / 4., 1 / 9., 3 / 5.}, {1 / 8., 4 / 9., 4 / 5.}, {5 / 8., 7 / 9., 1 / 25.},
-                                  {3 / 8., 2 / 9., 6 / 25.}, {7 / 8., 5 / 9., 11 / 25.}, {1 / 16., 8 / 9., 16 / 25.}};
+    const double expected[][3] = {{0, 0, 0},
+                                  {1 / 2., 1 / 3., 1 / 5.},
+                                  {1 / 4., 2 / 3., 2 / 5.},
+                                  {3 / 4., 1 / 9., 3 / 5.},
+                                  {1 / 8., 4 / 9., 4 / 5.},
+                                  {5 / 8., 7 / 9., 1 / 25.},
+                                  {3 / 8., 2 / 9., 6 / 25.},
+                                  {7 / 8., 5 / 9., 11 / 25.},
+                                  {1 / 16., 8 / 9., 16 / 25.}};
     for (std::uint32_t i = 0; i < 9; ++i)
-        for (std::uint32_t d = 0; d < 3; ++d) EXPECT_NEAR(value(kPlain, i, d), expected[i][d], 0x1p-31) << i << ' ' << d;
+        for (std::uint32_t d = 0; d < 3; ++d)
+            EXPECT_NEAR(value(kPlain, i, d), expected[i][d], 0x1p-31) << i << ' ' << d;
 }
 
 TEST(Halton, UsesThePrimesInOrder) {

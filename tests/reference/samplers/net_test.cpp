@@ -69,9 +69,9 @@ TEST(Sobol02, EveryAlignedBlockOfEveryPairIsAZeroNet) {
         for (const std::uint32_t pair : {0U, 5U, 70U})
             for (const unsigned m : {1U, 2U, 4U, 6U, 8U})
                 for (const std::uint32_t block : {0U, 1U, 5U})
-                    ASSERT_TRUE(isNet(pointsOf(SamplerId::Sobol02, {2 * pair, 2 * pair + 1}, block << m,
-                                               (block + 1) << m, seed),
-                                      m, 0));
+                    ASSERT_TRUE(isNet(
+                        pointsOf(SamplerId::Sobol02, {2 * pair, 2 * pair + 1}, block << m, (block + 1) << m, seed), m,
+                        0));
 }
 
 // [Christensen 18]: every first 2^k points. Of the tables themselves and as they are sampled.
@@ -130,7 +130,8 @@ TEST(Rank1, IsAShiftedLattice) {
     for (std::size_t i = 0; i < 256; ++i) lattice.insert({x[i] - x[0], y[i] - y[0]});
     ASSERT_EQ(lattice.size(), 256U);
     for (const auto& [ax, ay] : lattice)
-        for (const auto& [bx, by] : lattice) ASSERT_TRUE(lattice.contains({ax + bx, ay + by})) << "closed under addition";
+        for (const auto& [bx, by] : lattice)
+            ASSERT_TRUE(lattice.contains({ax + bx, ay + by})) << "closed under addition";
     EXPECT_EQ(kRank1Generator[1], 182667U);
     EXPECT_EQ(kRank1Generator[249], 480757U);
 }
@@ -157,8 +158,7 @@ TEST(Zsobol, SamplesOfAlignedPixelBlocksAreNets) {
                     for (std::uint32_t x = 0; x < side; ++x)
                         for (std::uint32_t i = 0; i < spp; ++i)
                             for (std::uint32_t axis = 0; axis < 2; ++axis)
-                                points[axis].push_back(
-                                    bits({pack(5 * side + x, 9 * side + y), i, spp, 2}, dim + axis));
+                                points[axis].push_back(bits({pack(5 * side + x, 9 * side + y), i, spp, 2}, dim + axis));
                 const auto m = static_cast<unsigned>(std::countr_zero(side * side * spp));
                 ASSERT_TRUE(isNet(points, m, 0)) << spp << ' ' << side << ' ' << dim;
             }

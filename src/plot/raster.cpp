@@ -1,0 +1,86 @@
+// Pixels by coverage: a shape's signed distance at a pixel's centre, as far as it is within half a pixel of the edge.
+#include <stb_easy_font.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "plot/drawing.h"
+
+namespace vkpt {
+namespace {
+
+constexpr double kFontLine = 12;  ///< units of stb_easy_font that a line of text is high
+constexpr double kBaseline = 8;   ///< of which lie above the baseline
+
+class Rasteriser {
+public:
+    Rasteriser(Image& image, double scale) : image_(image), scale_(scale) {}
+
+    void operator()(const shape::Circle& s) {
+        fill(s.x - s.radius, s.y - s.radius, s.x + s.radius, s.y + s.radius, s.ink,
+             [&](double x, double y) { return s.radius - std::hypot(x - s.x, y - s.y); });
+    }
+    void operator()(const shape::Line& s) {
+        const double dx = s.x1 - s.x0, dy = s.y1 - s.y0, length2 = dx * dx + dy * dy, half = s.width / 2;
+        fill(std::min(s.x0, s.x1) - half, std::min(s.y0, s.y1) - half, std::max(s.x0, s.x1) + half,
+             std::max(s.y0, s.y1) + half, s.ink, [&](double x, double y) {
+                 const double along = ((x - s.x0) * dx + (y - s.y0) * dy) / length2;
+                 const double t = length2 > 0 ? std::clamp(along, 0.0, 1.0) : 0;
+                 return half - std::hypot(x - s.x0 - t * dx, y - s.y0 - t * dy);
+             });
+    }
+    void operator()(const shape::Box& s) {
+        fill(s.x, s.y, s.x + s.width, s.y + s.height, s.ink, [&](double x, double y) {
+            return std::min(std::min(x - s.x, s.x + s.width - x), std::min(y - s.y, s.y + s.height - y));
+        });
+    }
+    void operator()(const shape::Text& s) {
+        std::string text = s.text;
+        std::vector<std::array<float, 4>> vertices(text.size() * 4 * 70 + 4);
+        const int quads = stb_easy_font_print(0, 0, text.data(), nullptr, vertices.data(),
+                                              static_cast<int>(vertices.size() * sizeof(vertices[0])));
+        const double unit = s.size / kFontLine, width = stb_easy_font_width(text.data()) * unit;
+        const double left = s.x - width * (s.align == Align::Left ? 0 : s.align == Align::Middle ? 0.5 : 1);
+        for (std::size_t q = 0; q < static_cast<std::size_t>(quads); ++q) {
+            const auto &a = vertices[4 * q], &b = vertices[4 * q + 2];  // opposite corners
+            (*this)(shape::Box{left + double{a[0]} * unit, s.y + (double{a[1]} - kBaseline) * unit,
+                               double{b[0] - a[0]} * unit, double{b[1] - a[1]} * unit, s.ink});
+        }
+    }
+
+private:
+    /// Blends ink over the box by how far inside each pixel's centre is.
+    template <class Inside>
+    void fill(double x0, double y0, double x1, double y1, const Ink& ink, const Inside& inside) {
+        const auto pixel = [](double v, std::uint32_t end) {
+            return static_cast<std::uint32_t>(std::clamp(v, 0.0, static_cast<double>(end)));
+        };
+        for (std::uint32_t y = pixel(y0 * scale_ - 1, image_.height); y < pixel(y1 * scale_ + 2, image_.height); ++y)
+            for (std::uint32_t x = pixel(x0 * scale_ - 1, image_.width); x < pixel(x1 * scale_ + 2, image_.width);
+                 ++x) {
+                const double distance = inside((x + 0.5) / scale_, (y + 0.5) / scale_) * scale_;
+                const auto cover = static_cast<float>(std::clamp(distance + 0.5, 0.0, 1.0));
+                float* p = image_.at(x, y);
+                p[0] += (ink.r - p[0]) * cover;
+                p[1] += (ink.g - p[1]) * cover;
+                p[2] += (ink.b - p[2]) * cover;
+            }
+    }
+
+    Image& image_;
+    double scale_;
+};
+
+}  // namespace
+
+Image toImage(const Drawing& drawing, double scale) {
+    Image image(static_cast<std::uint32_t>(std::ceil(drawing.width * scale)),
+                static_cast<std::uint32_t>(std::ceil(drawing.height * scale)), 3);
+    std::ranges::fill(image.pixels, 1.0F);
+    Rasteriser rasteriser(image, scale);
+    for (const Shape& s : drawing.shapes) std::visit(rasteriser, s);
+    return image;
+}
+
+}  // namespace vkpt
