@@ -1,0 +1,52 @@
+// The error of a render over the screen: a plane under an area light, by the CPU reference.
+#include <gtest/gtest.h>
+
+#include "analysis/spectrum.h"
+#include "reference/test_scene.h"
+
+namespace vkpt {
+namespace {
+
+/// A window so small that the light on it is as good as uniform: what varies over the screen is the error. The light is
+/// one triangle: a quad is two, and which of them is drawn takes a dimension of another pair.
+SceneArrays litPlane() {
+    test::SceneBuilder builder;
+    builder.quad(builder.material(test::matte(glm::vec3(0.7F))), {-9, -9, 0}, {18, 0, 0}, {0, 18, 0});
+    Primitive light;
+    light.material = builder.material(test::emitter(glm::vec3(10)));
+    light.positions = {{1, -2, 6}, {1, 4, 6}, {7, -2, 6}};
+    light.normals.assign(3, {0, 0, -1});
+    light.uv0.assign(3, {0, 0});
+    light.triangles = {{0, 1, 2}};
+    builder.mesh({std::move(light)}, glm::mat4(1));
+    return builder.build();
+}
+
+class LitPlane : public testing::TestWithParam<std::uint32_t> {
+protected:
+    /// Share of the error's power below a quarter of Nyquist, of equal totals; mean of a few seeds.
+    [[nodiscard]] double lowShare(SamplerId sampler) const {
+        constexpr std::uint32_t kSeeds = 2;
+        double share = 0;
+        for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
+            RenderOptions options = test::viewAlongZ(128, 0.002F, GetParam(), 1);
+            options.sampler = sampler;
+            options.params.seed = seed;
+            share += imageSpectrum(filmToImage(renderReference(scene_, options)), 1).share(16) / kSeeds;
+        }
+        return share;
+    }
+    SceneArrays scene_ = litPlane();
+};
+
+TEST_P(LitPlane, ErrorLacksLowFrequencies) {
+    const double random = lowShare(SamplerId::Random);
+    EXPECT_LT(lowShare(SamplerId::Zsobol), 0.5 * random);
+    EXPECT_LT(lowShare(SamplerId::Bluenoise), 0.5 * random);
+    EXPECT_NEAR(lowShare(SamplerId::Sobol), random, 0.2 * random) << "white, as random's is";
+}
+
+INSTANTIATE_TEST_SUITE_P(Samples, LitPlane, testing::Values(1U, 4U), testing::PrintToStringParamName());
+
+}  // namespace
+}  // namespace vkpt

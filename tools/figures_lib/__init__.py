@@ -1,0 +1,1 @@
+"""Figures of the syllabus on sampling."""

@@ -1,0 +1,38 @@
+"""One HTML file that holds all it shows."""
+import base64
+import collections
+import html
+import io
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+
+Section = collections.namedtuple("Section", "title text body")
+
+STYLE = """body{font:16px/1.5 sans-serif;max-width:72rem;margin:2rem auto;padding:0 1rem;color:#222}
+h1,h2{font-weight:600}h2{margin-top:3rem;border-top:1px solid #ddd;padding-top:1rem}img{max-width:100%}
+table{border-collapse:collapse}td,th{padding:.2rem .9rem;text-align:right;border-bottom:1px solid #eee}
+td:first-child,th:first-child{text-align:left}p{max-width:48rem}"""
+
+
+def figure(plot):
+    """The matplotlib figure as an image element; closes it."""
+    data = io.BytesIO()
+    plot.savefig(data, format="png", dpi=110, bbox_inches="tight")
+    plt.close(plot)
+    return f'<img alt="" src="data:image/png;base64,{base64.b64encode(data.getvalue()).decode()}">'
+
+
+def table(header, rows):
+    cells = "".join(f"<th>{html.escape(str(h))}</th>" for h in header)
+    body = "".join("<tr>" + "".join(f"<td>{html.escape(str(c))}</td>" for c in row) + "</tr>" for row in rows)
+    return f"<table><tr>{cells}</tr>{body}</table>"
+
+
+def write(path, sections):
+    parts = [f"<h2>{html.escape(s.title)}</h2><p>{html.escape(s.text)}</p>{s.body}" for s in sections]
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(f'<!doctype html><html lang="en"><head><meta charset="utf-8"><title>Sampling</title>'
+                   f"<style>{STYLE}</style></head><body><h1>Sampling, seen</h1>{''.join(parts)}</body></html>\n")

@@ -1,0 +1,50 @@
+"""Runs vkpt and reads what it writes."""
+import json
+import pathlib
+import subprocess
+
+import numpy as np
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+VKPT = ROOT / "tools" / "vkpt"
+
+
+def run(*arguments):
+    result = subprocess.run([str(VKPT), *map(str, arguments)], capture_output=True, text=True, check=False)
+    if result.returncode != 0:
+        raise SystemExit(f"figures: vkpt {' '.join(map(str, arguments))}: {result.stderr.strip()}")
+    return result.stdout
+
+
+def samples(*arguments):
+    """The JSON of `vkpt samples`."""
+    return json.loads(run("samples", "--json", *arguments))
+
+
+def points(sampler, count, dims=(0, 1), scramble=None, seed=0):
+    more = ["--scramble", scramble] if scramble else []
+    study = samples("--sampler", sampler, "--count", count, "--dims", ",".join(map(str, dims)), "--seed", seed, *more)
+    return np.array(study[0]["points"])
+
+
+def read_pfm(path):
+    """Rows from the top, three channels."""
+    with open(path, "rb") as file:
+        kind, size, scale = file.readline().strip(), file.readline().split(), float(file.readline())
+        width, height = map(int, size)
+        channels = 3 if kind == b"PF" else 1
+        data = np.frombuffer(file.read(), "<f4" if scale < 0 else ">f4").reshape(height, width, channels)
+    return data[::-1].astype(np.float64)
+
+
+def render(folder, scene, size, spp, sampler, seed=0, *more):
+    target = pathlib.Path(folder) / "picture.pfm"
+    file = ROOT / "scenes" / scene / "scene.gltf" if "/" not in str(scene) else scene
+    run("render", file, "--size", f"{size}x{size}", "--spp", spp, "--sampler", sampler, "--seed", seed, "-q",
+        "-o", target, *more)
+    return read_pfm(target)
+
+
+def relative_mse(image, reference):
+    """The relMSE of `vkpt diff`. [Rousselle 11]"""
+    return float(np.mean((image - reference) ** 2 / (reference ** 2 + 0.01)))
