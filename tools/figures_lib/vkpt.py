@@ -6,7 +6,7 @@ import subprocess
 import numpy as np
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-VKPT = ROOT / "tools" / "vkpt"
+VKPT = ROOT / "build" / "release" / "src" / "vkpt"  # tools/figures has built it
 
 
 def run(*arguments):
