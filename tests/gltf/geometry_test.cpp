@@ -185,6 +185,18 @@ TEST(Geometry, Faults) {
     EXPECT_THAT(fault([](Builder&, Json& p) { p["mode"] = 7; }), HasSubstr("mode: 7"));
 }
 
+// Many primitives may share an accessor, but what they make of it must stay in proportion to the file.
+TEST(Geometry, DrawingTheSameAccessorWithoutEndIsRefused) {
+    Builder b;
+    b.primitive({{"POSITION", b.accessor<std::int8_t>(std::vector<std::int8_t>(3 * 3000, 1), "VEC3", 3)}});
+    Json& primitives = b.json["meshes"][0]["primitives"];
+    const Json one = primitives[0];
+    for (int i = 1; i < 90; ++i) primitives.push_back(one);
+    EXPECT_EQ(b.import().meshes.at(0).primitives.size(), 90U);
+    for (int i = 90; i < 110; ++i) primitives.push_back(one);
+    EXPECT_THAT(faultOf(b), HasSubstr("meshes: their primitives draw "));
+}
+
 TEST(Geometry, PrimitiveWithoutPositionsIsSkipped) {
     Builder b;
     b.triangle();
