@@ -109,13 +109,15 @@ Json Document::parse(std::span<const unsigned char> text) {
         const std::string_view what = error.what();
         fail("JSON: {}", what.substr(what.find("] ") == std::string_view::npos ? 0 : what.find("] ") + 2));
     }
+    // First of all: a file of another version breaks the schema too, but that is not what is wrong with it.
+    const Json &version = member(member(root, "asset"), "version"),
+               &least = member(member(root, "asset"), "minVersion");
+    if (version.is_string() && !version.get_ref<const std::string&>().starts_with("2."))
+        fail("asset.version: {} is not supported; vkpt reads glTF 2.0", version.get_ref<const std::string&>());
+    if (least.is_string() && least != "2.0")
+        fail("asset.minVersion: the file needs glTF {}; vkpt reads 2.0", least.get_ref<const std::string&>());
     checkSchema(root, file_.string());
     warnings_ = checkRules(root, file_.string());
-    const std::string version = member(member(root, "asset"), "version").get<std::string>();
-    if (!version.starts_with("2.")) fail("asset.version: {} is not supported; vkpt reads glTF 2.0", version);
-    const Json& minVersion = member(member(root, "asset"), "minVersion");
-    if (minVersion.is_string() && minVersion != "2.0")
-        fail("asset.minVersion: the file needs glTF {}; vkpt reads 2.0", minVersion.get<std::string>());
     return root;
 }
 
@@ -165,8 +167,7 @@ void Document::countElements(std::uint64_t elements) const {
     constexpr std::uint64_t kFree = std::uint64_t{1} << 16;
     const std::uint64_t taken = elementsTaken_ += elements;
     if (taken > kFree + bytesLoaded_ * kMostElements)
-        fail("meshes: their primitives draw {} elements out of buffers of {} bytes: too often the same", taken,
-             bytesLoaded_.load());
+        fail("meshes: their primitives draw more than {} elements for each byte of the buffers", kMostElements);
 }
 
 void Document::countImage(std::uint64_t bytes) const {

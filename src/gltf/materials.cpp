@@ -1,6 +1,5 @@
 #include "gltf/materials.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/glm.hpp>

@@ -213,6 +213,11 @@ TEST_F(DocumentTest, SchemaFaultsNameTheirPlace) {
                 HasSubstr("meshes[0].primitives: must not be empty"));
 }
 
+TEST_F(DocumentTest, OtherVersionsAreToldByTheirVersion) {
+    const auto file = folder.write("one.gltf", R"({"asset": {"version": "1.0"}, "buffers": {"b": {}}, "scene": "s"})");
+    EXPECT_THAT(faultOf([&] { (void)importGltf(file); }), HasSubstr("asset.version: 1.0 is not supported"));
+}
+
 TEST_F(DocumentTest, NumbersOutOfRangeNameTheirPlace) {
     const auto fault = [](const Json& patch) {
         Builder b;
