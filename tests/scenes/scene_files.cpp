@@ -45,7 +45,8 @@ Image renderSeed(const PreparedScene& prepared, Backend backend, std::uint32_t s
     choice.backend = backend;
     choice.validate = true;
     RenderReport report;
-    const Film film = makeRenderer(prepared.arrays, options, choice, false)->render({}, report);
+    const Film film = makeRenderer(prepared.arrays, options, choice, false)
+                          ->render({options.sampleBegin, options.sampleEnd}, {}, report);
     EXPECT_EQ(report.validationMessages, 0U);
     EXPECT_EQ(film.refused, 0U);
     return filmToImage(film);

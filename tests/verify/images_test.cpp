@@ -101,7 +101,8 @@ TEST(Replicates, AllowForRoundingButNotForNan) {
 Film grey(const std::vector<float>& values) {
     Film film;
     film.width = static_cast<std::uint32_t>(values.size());
-    film.height = film.sampleEnd = 1;
+    film.height = 1;
+    film.ranges = {{0, 1}};
     for (const float value : values) {
         const auto words = static_cast<std::uint64_t>(std::llround(double{value} * 0x1p48));
         const uvec4 channel(static_cast<std::uint32_t>(words), static_cast<std::uint32_t>(words >> 32U), 0, 0);
