@@ -23,8 +23,8 @@ std::vector<Fault> readFaults() {
     std::vector<Fault> faults;
     for (const auto& f : json.at("faults"))
         faults.push_back({static_cast<int>(faults.size()), f.at("name"), f.at("about"), f.at("file"), f.at("right"),
-                          f.at("broken"), f.value("check", ""), f.value("survives", ""), f.at("chosen"),
-                          f.value("quick", false)});
+                          f.at("broken"), f.value("check", ""), f.value("needs", ""), f.value("survives", ""),
+                          f.at("chosen"), f.value("quick", false)});
     return faults;
 }
 

@@ -24,14 +24,40 @@ std::vector<Fault> shaderFaults(bool quick) {
     return faults;
 }
 
-/// The first check that disagrees on the small scene, as climb() finds it; its `check` is null where none does.
-/// Samplers, which take the longest, are left out where no sampler has the fault.
-CheckResult firstDisagreement(FaultyShaders& shaders) {
+struct Ground {
+    SceneArrays scene = everyFeature();
+    RenderOptions options = smallOptions();
+};
+
+/// The small scene with what a fault needs.
+Ground setUp(const std::string& needs) {
+    Ground setup;
+    RenderParams& p = setup.options.params;
+    if (needs == "fixed roulette") {
+        p.rrMode = kRouletteFixed;
+        p.rrFixed = 0.6F;
+        p.rrDepth = 1;
+    } else if (needs == "transparent background") {
+        p.backgroundMode = kBackgroundTransparent;
+    } else if (needs == "orthographic camera") {
+        p.projection = kProjectionOrthographic;
+    } else if (needs == "unlit material") {
+        setup.scene.materials[0].flags |= kMaterialUnlit;
+        setup.scene.features.unlit = true;
+    } else if (!needs.empty()) {
+        ADD_FAILURE() << "unknown need: " << needs;
+    }
+    return setup;
+}
+
+/// The first check that disagrees, as climb() finds it; its `check` is null where none does. Samplers, which take the
+/// longest, are left out where no sampler has the fault.
+CheckResult firstDisagreement(FaultyShaders& shaders, const Ground& setup) {
     VerifyConfig config = testConfig(false);
     config.wavefront.kernels = shaders.kernels();
     config.probes = shaders.probes();
     config.replicates = 8;
-    VerifyContext context(everyFeature(), smallOptions(), config);
+    VerifyContext context(setup.scene, setup.options, config);
     for (const Check& check : verifyChecks()) {
         if (check.name == "samplers" && !shaders.reads("shaders/probes/samplers.comp")) continue;
         CheckResult row;
@@ -47,7 +73,10 @@ class ShaderFault : public testing::TestWithParam<Fault> {};
 TEST_P(ShaderFault, IsNamedByItsCheck) {
     const Fault& fault = GetParam();
     FaultyShaders shaders(fault);
-    const CheckResult found = firstDisagreement(shaders);
+    if (!fault.needs.empty()) {
+        EXPECT_EQ(firstDisagreement(shaders, {}).check, nullptr) << "found without " << fault.needs;
+    }
+    const CheckResult found = firstDisagreement(shaders, setUp(fault.needs));
     EXPECT_GT(shaders.count(), 0U) << "no kernel reads the edited file";
     if (!fault.survives.empty()) {
         EXPECT_EQ(found.check, nullptr) << "found after all, by " << found.check->name << ": take it off the survivors";
@@ -133,10 +162,25 @@ TEST(Faults, AllApplyToTheSourcesAsTheyAre) {
     }
 }
 
+TEST(FullFaults, WhatTheyNeedDoesNotDisagreeByItself) {
+    for (const char* needs : {"fixed roulette", "transparent background", "orthographic camera", "unlit material"}) {
+        VerifyConfig config = testConfig(true);
+        const Ground setup = setUp(needs);
+        VerifyContext context(setup.scene, setup.options, config);
+        for (const Check& check : verifyChecks()) {
+            if (check.rung < Rung::Stages || check.name == "every feature") continue;
+            Findings findings;
+            check.run(context, findings);
+            EXPECT_FALSE(findings.disagreement()) << needs << ", " << check.name;
+        }
+    }
+}
+
 TEST(Faults, AreManyOnBothSidesAndChosenAfterTheFreezeToo) {
     const auto count = [](auto&& holds) { return std::ranges::count_if(allFaults(), holds); };
     EXPECT_GE(count([](const Fault& f) { return f.inShaders() && f.survives.empty(); }), 20);
     EXPECT_GE(count([](const Fault& f) { return !f.inShaders() && f.survives.empty(); }), 12);
+    EXPECT_GE(count([](const Fault& f) { return f.chosen == "after" && f.survives.empty(); }), 8);
 }
 
 }  // namespace
