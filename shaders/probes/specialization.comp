@@ -2,7 +2,7 @@
 // In: nothing that counts. Out: every specialization constant, four a word. src/verify/probes/specialization.cpp lists
 // the same.
 #extension GL_GOOGLE_include_directive : require
-const uint kInputWords = 1u, kOutputWords = 5u;
+const uint kInputWords = 1u, kOutputWords = 7u;
 #include "probes/probe.glsl"
 
 void main() {
@@ -12,4 +12,6 @@ void main() {
     putWord(2u, uvec4(kHasPunctualLights, kHasEnvironment, kHasUnlit, kUseBallot));
     putWord(3u, uvec4(kStateTexel, kHasTransforms, kMapSets, kIndexDigits));
     putWord(4u, uvec4(kLightSteps, kRowSteps, kColumnSteps, kScramble));
+    putWord(5u, uvec4(kLayerWords, kAlbedoWord, kNormalWord, kDepthWord));
+    putWord(6u, uvec4(kPositionWord, kUvWord, kIdsWord, kLuminanceWord));
 }

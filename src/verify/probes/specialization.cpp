@@ -17,7 +17,7 @@ struct Constants {
 using Named = std::pair<const char*, std::uint32_t>;
 
 /// All constants by name, in the order in which the probe writes them.
-std::array<Named, 20> namesAndValues(const Constants& c) {
+std::array<Named, 28> namesAndValues(const Constants& c) {
     const auto& [f, h, o] = c;
     const auto flag = [](bool b) { return b ? 1U : 0U; };
     return {Named{"kSampler", static_cast<std::uint32_t>(o.sampler.id)},
@@ -39,7 +39,15 @@ std::array<Named, 20> namesAndValues(const Constants& c) {
             {"kLightSteps", searchSteps(h.lightCount)},
             {"kRowSteps", searchSteps(h.envHeight)},
             {"kColumnSteps", searchSteps(h.envWidth)},
-            {"kScramble", static_cast<std::uint32_t>(o.sampler.scramble)}};
+            {"kScramble", static_cast<std::uint32_t>(o.sampler.scramble)},
+            {"kLayerWords", o.film.words()},
+            {"kAlbedoWord", o.film.firstWord(Layer::Albedo)},
+            {"kNormalWord", o.film.firstWord(Layer::Normal)},
+            {"kDepthWord", o.film.firstWord(Layer::Depth)},
+            {"kPositionWord", o.film.firstWord(Layer::Position)},
+            {"kUvWord", o.film.firstWord(Layer::Uv)},
+            {"kIdsWord", o.film.firstWord(Layer::Ids)},
+            {"kLuminanceWord", o.film.firstWord(Layer::Luminance)}};
 }
 
 /// Round `bit` of a set in which no two flags are the same in all rounds; the numbers differ in any.
@@ -58,6 +66,7 @@ Constants makeConstants(std::uint32_t bit) {
     h.envWidth = 4000;
     o.sampler = {static_cast<SamplerId>(7), static_cast<ScrambleId>(5)};
     o.lastIndex = 0xabc;  // three hexadecimal digits
+    if (bit % 2 == 0) o.film = FilmLayout(kAllAovs);
     return c;
 }
 
@@ -69,7 +78,7 @@ void checkSpecialization(VerifyContext& context, Findings& findings) {
         const Constants constants = makeConstants(round);
         ProbeOptions options;
         options.specialization = specializationOf(constants.features, constants.header, constants.options);
-        const auto read = context.prober().evaluate<std::array<std::uint32_t, 20>>(
+        const auto read = context.prober().evaluate<std::array<std::uint32_t, 28>>(
             "specialization", std::vector<glm::uvec4>(1), options)[0];
         const auto expected = namesAndValues(constants);
         const auto scope = findings.inputs([&](std::size_t i) { return std::string(expected[i].first); });
