@@ -24,7 +24,9 @@ struct CallInfo {
 VkResult nextFault(const CallInfo& info) {
     VulkanFaults& faults = vulkanFaults();
     if (faults.lost) return VK_ERROR_DEVICE_LOST;
-    if (info.kind != faults.kind || ++faults.calls != faults.failAt) return VK_SUCCESS;
+    if (info.kind != faults.kind) return VK_SUCCESS;
+    faults.calls.emplace_back(info.name);
+    if (faults.calls.size() != faults.failAt) return VK_SUCCESS;
     faults.failed = info.name;
     faults.lost = info.kind == Kind::Submission;
     if (faults.lost) return VK_ERROR_DEVICE_LOST;

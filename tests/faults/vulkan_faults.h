@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "gpu/vulkan.h"
 
@@ -19,7 +20,7 @@ struct VulkanFaults {
     Kind kind = Kind::Allocation;
     std::uint32_t failAt = 0;  ///< which call of the kind fails, from 1; 0: none
 
-    std::uint32_t calls = 0;           ///< of the kind, so far
+    std::vector<std::string> calls;    ///< names of those of the kind, so far
     std::string failed;                ///< name of the call that failed
     bool lost = false;                 ///< a lost device stays lost
     std::map<std::string, int> alive;  ///< by the name of what made them: made and not yet destroyed
