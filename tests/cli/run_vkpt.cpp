@@ -34,17 +34,16 @@ namespace fs = std::filesystem;
     std::_Exit(127);
 }
 
-/// Waits for the text, at most 20 s, then interrupts.
-void interruptOnText(pid_t child, const fs::path& err, const std::string& text) {
-    for (int i = 0; i < 2000; ++i) {
-        if (readText(err).find(text) != std::string::npos) break;
+/// Waits for the text, at most 20 s, and the delay, then sends the signal.
+void sendSignal(pid_t child, const fs::path& err, const RunOptions& options) {
+    for (int i = 0; i < 2000 && readText(err).find(options.interruptAfter) == std::string::npos; ++i) {
         siginfo_t ended{};
         if (::waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 && ended.si_pid != 0)
             return;  // it ended by itself
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
-    std::this_thread::sleep_for(std::chrono::milliseconds(200));
-    ::kill(child, SIGINT);
+    std::this_thread::sleep_for(options.delay.value_or(std::chrono::milliseconds(200)));
+    ::kill(child, options.signal);
 }
 
 }  // namespace
@@ -56,7 +55,7 @@ RunResult runVkpt(const std::vector<std::string>& arguments, const RunOptions& o
     const fs::path out = logs.path() / "out", err = logs.path() / "err";
     const pid_t child = ::fork();
     if (child == 0) becomeVkpt(arguments, options, out, err);
-    if (!options.interruptAfter.empty()) interruptOnText(child, err, options.interruptAfter);
+    if (!options.interruptAfter.empty() || options.delay) sendSignal(child, err, options);
     int status = 0;
     ::waitpid(child, &status, 0);
     return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), readText(out), readText(err)};

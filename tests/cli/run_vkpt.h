@@ -1,6 +1,9 @@
 // Runs the built program as a user does.
 #pragma once
+#include <chrono>
+#include <csignal>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,10 +18,12 @@ struct RunResult {
 };
 
 struct RunOptions {
-    std::filesystem::path folder{};          ///< where it runs
-    std::vector<std::string> environment{};  ///< "NAME=value", added to the caller's
-    std::string interruptAfter{};            ///< send SIGINT once stderr holds this text
-    std::size_t mostFileBytes = 0;           ///< the largest file it may write; 0: any
+    std::filesystem::path folder{};                    ///< where it runs
+    std::vector<std::string> environment{};            ///< "NAME=value", added to the caller's
+    std::string interruptAfter{};                      ///< send `signal` once stderr holds this text
+    std::optional<std::chrono::milliseconds> delay{};  ///< before the signal; without a text since the start
+    int signal = SIGINT;
+    std::size_t mostFileBytes = 0;                     ///< the largest file it may write; 0: any
 };
 
 [[nodiscard]] RunResult runVkpt(const std::vector<std::string>& arguments, const RunOptions& options);
