@@ -15,6 +15,7 @@ constexpr std::array kChecks = {
     Check{Rung::Integers, "samplers", "bits of every sampler of the registry: to the bit", checkSamplers},
     Check{Rung::Integers, "tables", "inversion of tabulated distributions: equal indices", checkCdf},
     Check{Rung::Integers, "exact film", "rounding, sums and refusals against 128-bit integers", checkFixedPoint},
+    Check{Rung::Integers, "film layers", "signed values, path luminance and squares: to the bit", checkFilmLayers},
     Check{Rung::Integers, "compaction", "each wanted slot once, without gaps, in every form", checkAppend},
 
     Check{Rung::Functions, "trigonometry", "within 2e-7 (cos, sin), 3e-7 (atan2), 6e-7 (acos)", checkTrigonometry},

@@ -14,6 +14,7 @@ void checkHash(VerifyContext&, Findings&);
 void checkSamplers(VerifyContext&, Findings&);
 void checkCdf(VerifyContext&, Findings&);
 void checkFixedPoint(VerifyContext&, Findings&);
+void checkFilmLayers(VerifyContext&, Findings&);
 void checkAppend(VerifyContext&, Findings&);
 
 void checkTrigonometry(VerifyContext&, Findings&);
