@@ -129,7 +129,10 @@ void Instance::createMessenger() {
 }
 
 Instance::~Instance() {
-    if (messenger_ != VK_NULL_HANDLE) vkDestroyDebugUtilsMessengerEXT(instance_, messenger_, nullptr);
+    // Of this instance: volk's pointer is that of the one opened last, which may lack the extension.
+    const auto destroyMessenger = reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(
+        vkGetInstanceProcAddr(instance_, "vkDestroyDebugUtilsMessengerEXT"));
+    if (messenger_ != VK_NULL_HANDLE) destroyMessenger(instance_, messenger_, nullptr);
     vkDestroyInstance(instance_, nullptr);
 }
 
