@@ -2,7 +2,6 @@
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfIO.h>
 #include <ImfInputPart.h>
 #include <ImfMultiPartInputFile.h>
 #include <ImfPartType.h>
@@ -16,6 +15,7 @@
 
 #include "base/error.h"
 #include "base/exr_header.h"
+#include "base/exr_input.h"
 #include "base/image_formats.h"
 
 namespace vkpt {
@@ -23,26 +23,6 @@ namespace {
 
 // Decoded at once: memory grows only as the file proves to hold pixels.
 constexpr std::int64_t kBandRows = 256, kBandPixels = std::int64_t{1} << 20U;
-
-class MemoryStream : public Imf::IStream {
-public:
-    MemoryStream(const std::string& name, std::span<const std::uint8_t> bytes) : IStream(name.c_str()), bytes_(bytes) {}
-    bool read(char c[], int n) override {
-        const auto count = static_cast<std::uint64_t>(n);
-        if (count > bytes_.size() - std::min<std::uint64_t>(next_, bytes_.size())) {
-            throw Iex::InputExc("the file ends too early");
-        }
-        std::memcpy(c, bytes_.data() + next_, count);
-        next_ += count;
-        return next_ < bytes_.size();
-    }
-    std::uint64_t tellg() override { return next_; }
-    void seekg(std::uint64_t position) override { next_ = position; }
-
-private:
-    std::span<const std::uint8_t> bytes_;
-    std::uint64_t next_ = 0;
-};
 
 struct Window {
     std::int64_t x0, y0, width, height;
@@ -134,7 +114,7 @@ std::vector<float> readBands(Imf::InputPart& part, const Window& data, const std
 }
 
 /// Luminance with chroma at half resolution: the library rebuilds RGB.
-std::vector<float> readLuminanceChroma(MemoryStream& stream, const Window& data) {
+std::vector<float> readLuminanceChroma(ExrInput& stream, const Window& data) {
     stream.seekg(0);
     Imf::RgbaInputFile file(stream);
     std::vector<Imf::Rgba> row(static_cast<std::size_t>(data.width));
@@ -148,7 +128,7 @@ std::vector<float> readLuminanceChroma(MemoryStream& stream, const Window& data)
     return pixels;
 }
 
-Image decode(const std::string& name, MemoryStream& stream) {
+Image decode(const std::string& name, ExrInput& stream) {
     Imf::MultiPartInputFile file(stream);
     const Imf::Header& header = file.header(0);
     if (header.hasType() && Imf::isDeepData(header.type())) {
@@ -173,7 +153,7 @@ Image decode(const std::string& name, MemoryStream& stream) {
 Image decodeExr(const std::string& name, std::span<const std::uint8_t> bytes) {
     try {
         checkExrHeaders(name, bytes);
-        MemoryStream stream(name, bytes);
+        ExrInput stream(name, bytes);
         return decode(name, stream);
     } catch (const Iex::BaseExc& fault) {
         throw FileError(name, std::string("OpenEXR: ") + fault.what());

@@ -11,12 +11,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
-#include <cstring>
-#include <fstream>
 
 #include "base/error.h"
+#include "base/exr_header.h"
+#include "base/exr_input.h"
+#include "base/file_bytes.h"
 #include "film/film_part.h"
 
 namespace vkpt {
@@ -25,16 +25,14 @@ namespace {
 namespace fs = std::filesystem;
 namespace attribute = film_attribute;
 
-/// The most that DEFLATE makes of a byte, rounded up: a file of so many bytes holds no more than this times as many.
-constexpr std::uint64_t kMostExpansion = 1040;
 constexpr std::int64_t kMostSide = 65535;
 constexpr std::uint32_t kBandPixels = 1U << 18U;
 
 class Reader {
 public:
-    explicit Reader(const fs::path& path) : name_(path.string()), file_(path.c_str()) {
+    Reader(std::string name, std::span<const std::uint8_t> bytes)
+        : name_(std::move(name)), input_(name_, bytes), file_(input_) {
         part_ = findPart();
-        fileBytes_ = fs::file_size(path);
     }
 
     FilmRecord read() {
@@ -96,12 +94,10 @@ private:
         return number;
     }
 
-    /// The size of the frame. A faulty one may not make us allocate what such a file cannot hold.
-    [[nodiscard]] glm::uvec2 size(std::uint64_t pixelBytes) const {
+    [[nodiscard]] glm::uvec2 size() const {
         const Imath::Box2i& window = header().dataWindow();
         const std::int64_t width = std::int64_t{window.max.x} + 1, height = std::int64_t{window.max.y} + 1;
-        if (window.min != Imath::V2i(0, 0) || width <= 0 || height <= 0 || width > kMostSide || height > kMostSide ||
-            static_cast<std::uint64_t>(width * height) * pixelBytes > fileBytes_ * kMostExpansion)
+        if (window.min != Imath::V2i(0, 0) || width <= 0 || height <= 0 || width > kMostSide || height > kMostSide)
             fail("the size of its film is not possible");
         return {width, height};
     }
@@ -127,7 +123,7 @@ private:
         if (!aovs) fail(fmt::format("'{}' are no layers that this vkpt knows", aovNames));
         if (header().type() != Imf::SCANLINEIMAGE) fail("its film is not stored in scan lines");
         Film film(0, 0, *aovs);
-        const glm::uvec2 frame = size(sizeof(FilmSums) + film.layout.words() * sizeof(uvec4));
+        const glm::uvec2 frame = size();
         film.width = frame.x;
         film.height = frame.y;
         Imf::InputPart part(file_, part_);
@@ -164,25 +160,21 @@ private:
     }
 
     std::string name_;
+    ExrInput input_;
     Imf::MultiPartInputFile file_;
     int part_ = 0;
-    std::uint64_t fileBytes_ = 0;
 };
-
-void checkReadable(const fs::path& path) {
-    std::error_code error;
-    if (fs::is_directory(path, error)) throw FileError(path.string(), "is a folder, not an EXR file");
-    if (!std::ifstream(path)) throw FileError(path.string(), fmt::format("cannot be opened: {}", std::strerror(errno)));
-}
 
 }  // namespace
 
 FilmRecord readFilm(const fs::path& path) {
-    checkReadable(path);
+    const std::string name = path.string();
+    const std::vector<std::uint8_t> bytes = readFileBytes(path);
     try {
-        return Reader(path).read();
+        checkExrHeaders(name, bytes);
+        return Reader(name, bytes).read();
     } catch (const Iex::BaseExc& fault) {
-        throw FileError(path.string(), fmt::format("OpenEXR: {}", fault.what()));
+        throw FileError(name, fmt::format("OpenEXR: {}", fault.what()));
     }
 }
 
