@@ -107,6 +107,16 @@ TEST_F(Resume, RefusesTheFileOfAnotherRender) {
     expectFault(run(renderWords("cpu", {"--resume", "text.exr"})), 4, {"text.exr: "});
 }
 
+TEST_F(Resume, ASaveThatFailsIsAWarningAndTheRenderGoesOn) {
+    const RunResult r =
+        runVkpt(renderWords("cpu", {"--spp", "2000", "--aov", "none", "-o", "a.exr", "--checkpoint", "0"}),
+                {.folder = folder_.path(), .mostFileBytes = 200});
+    EXPECT_EQ(r.code, 4) << "the picture could not be written either";
+    EXPECT_THAT(r.err, HasSubstr("warning: no checkpoint: a.exr: cannot write: File too large"));
+    EXPECT_THAT(r.err, HasSubstr("2000 samples a pixel in "));
+    EXPECT_TRUE(folder_.files().empty());
+}
+
 TEST_F(Resume, RefusesOptionsThatCannotSave) {
     expectFault(run(renderWords("cpu", {"--resume", "r.png"})), 64, {"--resume", "r.png"});
     expectFault(run(renderWords("cpu", {"--resume", "r.exr", "--no-film"})), 64, {"--no-film"});

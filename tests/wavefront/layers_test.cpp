@@ -1,8 +1,8 @@
 // The film's layers: both renderers gather the same, whatever the batches, and the picture does not notice.
 #include "bvh/build.h"
 #include "reference/render.h"
-#include "wavefront/render_helpers.h"
 #include "verify/inputs/scenes.h"
+#include "wavefront/render_helpers.h"
 
 namespace vkpt {
 namespace {
@@ -39,10 +39,10 @@ TEST(RendererLayers, SlotsBatchesAndRangesDoNotChangeThem) {
         EXPECT_TRUE(isSame(film, renderWith(arrays, options, config))) << paths;
     }
     Film sum(24, 20, kAllAovs);
+    WavefrontRenderer renderer(arrays, options, makeConfig());
     for (const SampleRange range : {SampleRange{4, 6}, SampleRange{0, 1}, SampleRange{1, 4}}) {  // the first not first
-        options.sampleBegin = range.begin;
-        options.sampleEnd = range.end;
-        addFilm(sum, renderWith(arrays, options));
+        renderer.select(options.params.seed, range.begin, range.end);
+        addFilm(sum, renderer.render({}));
     }
     EXPECT_TRUE(isSame(film, sum));
 }
@@ -115,12 +115,11 @@ TEST(RendererLayers, SquaresOfPathLuminanceAreExact) {
     const SceneArrays arrays = makeEverything();
     RenderOptions options = layeredOptions(24, 20, 5);
     const std::size_t words = FilmLayout(kAllAovs).words(), at = FilmLayout(kAllAovs).firstWord(Layer::Luminance);
-    std::vector<glm::uvec4> expected(24 * 20 * 2);
     Film sum(24, 20, kAllAovs);
+    WavefrontRenderer renderer(arrays, options, makeConfig());
     for (std::uint32_t s = 0; s < 5; ++s) {
-        options.sampleBegin = s;
-        options.sampleEnd = s + 1;
-        const Film one = renderWith(arrays, options);
+        renderer.select(options.params.seed, s, s + 1);
+        const Film one = renderer.render({});
         for (std::size_t i = 0; i < one.sums.size(); ++i) {
             __extension__ using Wide = unsigned __int128;
             const std::uint64_t luminance = luminanceOf(one.sums[i]);
@@ -132,8 +131,8 @@ TEST(RendererLayers, SquaresOfPathLuminanceAreExact) {
         }
         addFilm(sum, one);
     }
-    options.sampleBegin = 0;
-    EXPECT_TRUE(isSame(sum, renderWith(arrays, options)));
+    renderer.select(options.params.seed, 0, 5);
+    EXPECT_TRUE(isSame(sum, renderer.render({})));
 }
 
 }  // namespace
