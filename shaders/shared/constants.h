@@ -16,6 +16,8 @@ VKPT_CONST uint kNone = 0xffffffffu;
 // TriangleRecord.flags
 VKPT_CONST uint kTriangleSingleSided = 1u;    // absent when met from behind
 VKPT_CONST uint kTriangleHasAlpha = 2u;       // MASK or BLEND: the hit must be confirmed
+VKPT_CONST uint kTriangleGroupShift = 4u;     // the shade group of its material: a kGroup* constant, 2 bits
+VKPT_CONST uint kTriangleGroupMask = 3u;
 VKPT_CONST uint kTriangleMaterialShift = 8u;  // material index above
 
 // MaterialRecord.flags
@@ -24,6 +26,8 @@ VKPT_CONST uint kMaterialAlphaBlend = 2u;  // alphaMode BLEND
 VKPT_CONST uint kMaterialDoubleSided = 4u;
 VKPT_CONST uint kMaterialUnlit = 8u;
 VKPT_CONST uint kMaterialVertexColor = 16u; // COLOR_0 multiplies the base colour
+VKPT_CONST uint kMaterialModelShift = 8u;   // BSDF model: an id of registry.def, 8 bits
+VKPT_CONST uint kMaterialModelMask = 255u;
 // The maps of a material in up to four sets of roles, 4 bits each, 0 after the last. Maps of one set differ in nothing
 // but image and sRGB: they are read at the same texels, whose words lie side by side in the order of their roles,
 // within one 16-byte word. Each map that a material has is in one set.
@@ -33,6 +37,28 @@ VKPT_CONST uint kMapBaseColor = 0u;
 VKPT_CONST uint kMapMetallicRoughness = 1u;
 VKPT_CONST uint kMapNormal = 2u;
 VKPT_CONST uint kMapEmissive = 3u;
+
+// Shade groups: BSDF models that share a kernel. Which model is in which, registry.def says.
+VKPT_CONST uint kGroupGltf = 0u;
+VKPT_CONST uint kGroupMicrofacet = 1u;
+VKPT_CONST uint kGroupClassic = 2u;
+VKPT_CONST uint kGroups = 3u;
+
+// BsdfRecord.flags
+VKPT_CONST uint kBsdfDistributionMask = 3u;  // kDistribution*
+VKPT_CONST uint kBsdfMaskingShift = 2u;      // kMasking*
+VKPT_CONST uint kBsdfMaskingMask = 3u;
+VKPT_CONST uint kBsdfMetal = 16u;            // Fresnel term of a conductor (eta, k), else of a dielectric (eta.x)
+VKPT_CONST uint kBsdfConserving = 32u;       // blinn_phong: normalization that conserves energy
+VKPT_CONST uint kBsdfAzimuthTable = 64u;     // rows of its albedo table stand for azimuths, else for alphas
+VKPT_CONST uint kDistributionGgx = 0u;
+VKPT_CONST uint kDistributionBeckmann = 1u;
+VKPT_CONST uint kDistributionPhong = 2u;
+VKPT_CONST uint kMaskingCorrelated = 0u;     // Smith, height-correlated
+VKPT_CONST uint kMaskingSeparable = 1u;      // Smith, separable
+VKPT_CONST uint kMaskingVGroove = 2u;
+VKPT_CONST uint kAlbedoSide = 32u;           // rows and columns of an albedo table
+VKPT_CONST uint kAlbedoTableWords = 992u;    // (kAlbedoSide - 1)^2 cells, then kAlbedoSide - 1 averages
 
 // TextureRecord.flags. Wrap fields hold kWrap*.
 VKPT_CONST uint kTextureSrgb = 1u;     // decode R, G and B before filtering

@@ -82,6 +82,31 @@ struct MaterialRecord {
     uint baseColorTexture, metallicRoughnessTexture, normalTexture, emissiveTexture;
 };
 
+// Parameters of the other BSDF models; one a material where any material has such a model, else none at all. Which
+// fields a model reads: estimator.md, BSDF models.
+struct BsdfRecord {
+    vec3 color;       // linear reflectance, tint or specular colour
+    float alphaX;     // roughness, never squared; along the tangent
+    vec3 diffuse;     // linear reflectance of the diffuse part
+    float alphaY;     // along the bitangent
+    vec3 eta;         // index of refraction; of conductors its real part, a channel each
+    float exponentX;
+    vec3 k;           // imaginary part
+    float exponentY;
+    vec3 average;     // hemispherical mean of the Fresnel term: conductors a channel each; dielectrics x outside, y inside
+    float weight;     // cook_torrance: of the distribution with alphaX, the rest has alphaY
+    uint flags;       // kBsdf* bits
+    uint table;       // first word of its albedo table in the section of tables; kNone: none
+    float sigma;      // oren_nayar: standard deviation of facet angles in radians; eon: roughness
+    float specular;   // cook_torrance: share of the specular part, s
+};
+
+// One cell of an albedo table: (first, second) as unorm16, first in the low half, at its four corners.
+// Averages have two corners, (j) and (j + 1), in x and y.
+struct AlbedoCell {
+    uint x, y, z, w;  // (i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1): i of the cosine, j of the row
+};
+
 // One use of an image by a material: sampler and KHR_texture_transform included.
 struct TextureRecord {
     uint texels;      // index of the first texel in the texel array (RGBA8, R in the low byte, 4 a word)
@@ -124,7 +149,9 @@ struct SceneHeader {
     uint envWidth, envHeight;
     float envCos, envSin;  // rotation about +y
     uint samplerTable;     // of the sampler in use: see shaders/samplers/
-    uint headerPad0, headerPad1, headerPad2;
+    uint bsdfs;            // BsdfRecord a material
+    uint albedoTables;     // kAlbedoTableWords a table; the first is glTF's
+    uint headerPad0;
 };
 
 // What one render does; the same for all its batches.
@@ -157,6 +184,7 @@ struct FilmSums {
 static_assert(sizeof(TriangleRecord) == 64 && sizeof(VertexRecord) == 16 && sizeof(VertexExtra) == 16);
 static_assert(sizeof(WideNode) == 80 && sizeof(InstanceRecord) == 112);
 static_assert(sizeof(MaterialRecord) == 64 && sizeof(TextureRecord) == 48 && sizeof(LightRecord) == 64);
+static_assert(sizeof(BsdfRecord) == 96 && sizeof(AlbedoCell) == 16);
 static_assert(sizeof(SceneHeader) == 96 && sizeof(RenderParams) == 112 && sizeof(FilmSums) == 48);
 }  // namespace vkpt
 #endif

@@ -15,9 +15,9 @@ std::span<const std::byte> bytesOf(const Value& value) {
 
 SceneHashes hashScene(const SceneArrays& arrays) {
     // Names every member, so that a new one does not compile until it is hashed or known to be derived.
-    const auto& [triangles, vertices, vertexExtras, meshRanges, instances, instanceMesh, materials, textures, texels,
-                 lights, lightCdf, lightPower, envTexels, envRows, envColumns, envWidth, envHeight, envLight,
-                 envRotation, nodes, rootNode, boundsMin, boundsMax, features, objectNames, materialNames,
+    const auto& [triangles, vertices, vertexExtras, meshRanges, instances, instanceMesh, materials, bsdfs, albedoTables,
+                 textures, texels, lights, lightCdf, lightPower, envTexels, envRows, envColumns, envWidth, envHeight,
+                 envLight, envRotation, nodes, rootNode, boundsMin, boundsMax, features, objectNames, materialNames,
                  droppedTriangles, droppedInstances] = arrays;
     SceneHashes hashes;
     hashes.geometry = ContentHash()
@@ -30,7 +30,14 @@ SceneHashes hashScene(const SceneArrays& arrays) {
                           .add(nodes)
                           .add(bytesOf(rootNode))
                           .hex();
-    hashes.materials = ContentHash().add(materials).add(textures).add(texels).hex();
+    hashes.materials = ContentHash()
+                           .add(materials)
+                           .add(bsdfs)
+                           .add(albedoTables)
+                           .add(bytesOf(features.multiscatter))
+                           .add(textures)
+                           .add(texels)
+                           .hex();
     hashes.lights = ContentHash().add(lights).add(lightCdf).hex();
     ContentHash environment;
     environment.add(envTexels).add(envRows).add(envColumns);

@@ -22,6 +22,8 @@ struct SceneFeatures {
     bool punctualLights = false;
     bool environment = false;
     bool unlit = false;
+    std::uint32_t bsdfModels = 1;  ///< models (ids of registry.def) that some triangle has, a bit each; bit 0 is glTF's
+    bool multiscatter = false;     ///< interreflection between facets is compensated; albedoTables is filled
 };
 
 /// A contiguous range of triangles that gets a BVH of its own, and where it is placed.
@@ -40,6 +42,8 @@ struct SceneArrays {
     std::vector<InstanceRecord> instances;
     std::vector<std::uint32_t> instanceMesh;  ///< which MeshRange each instance places
     std::vector<MaterialRecord> materials;
+    std::vector<BsdfRecord> bsdfs;         ///< one a material, or none where all are glTF's
+    std::vector<AlbedoCell> albedoTables;  ///< kAlbedoTableWords a table; the first is glTF's
     std::vector<TextureRecord> textures;
     std::vector<std::uint32_t> texels;
     std::vector<LightRecord> lights;

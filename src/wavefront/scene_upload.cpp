@@ -24,6 +24,8 @@ void forEachSection(const SceneArrays& a, Layout& layout, const Visit& visit) {
     visit(h.vertexExtras, std::as_bytes(std::span(a.vertexExtras)));
     visit(h.instances, std::as_bytes(std::span(a.instances)));
     visit(h.materials, std::as_bytes(std::span(a.materials)));
+    visit(h.bsdfs, std::as_bytes(std::span(a.bsdfs)));
+    visit(h.albedoTables, std::as_bytes(std::span(a.albedoTables)));
     visit(h.textures, std::as_bytes(std::span(a.textures)));
     visit(h.texels, std::as_bytes(std::span(a.texels)));
     visit(h.lights, std::as_bytes(std::span(a.lights)));

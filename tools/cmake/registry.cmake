@@ -1,4 +1,4 @@
-# Turns shaders/shared/registry.def into generated/registry.h (C++ enums and name tables),
+# Turns shaders/shared/registry.def into generated/registry.h (C++ enums and name tables of samplers and BSDF models),
 # generated/reference_samplers.inc (the reference's table) and generated/samplers.glsl (includes and switch).
 set(VKPT_REGISTRY "${CMAKE_SOURCE_DIR}/shaders/shared/registry.def")
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${VKPT_REGISTRY}")
@@ -26,6 +26,16 @@ function(vkpt_scramble_list names out count_out)
   set(${count_out} "${count}" PARENT_SCOPE)
 endfunction()
 
+# One line "bsdf | id | name | stem | group | help": enum and table. Includes and switches: registry_bsdf.cmake.
+set(bsdf_enum "")
+set(bsdf_table "")
+function(vkpt_add_bsdf kind id name stem group help)
+  vkpt_capitalise("${stem}" Stem)
+  vkpt_capitalise("${group}" Group)
+  set(bsdf_enum "${bsdf_enum}    ${Stem} = ${id},\n" PARENT_SCOPE)
+  set(bsdf_table "${bsdf_table}    {BsdfId::${Stem}, \"${name}\", BsdfGroup::${Group}, \"${help}\"},\n" PARENT_SCOPE)
+endfunction()
+
 file(STRINGS "${VKPT_REGISTRY}" lines REGEX "^[^#].*\\|")
 set(enum "")
 set(table "")
@@ -36,7 +46,10 @@ set(pair_cases "")
 foreach(line IN LISTS lines)
   string(REGEX REPLACE " *\\| *" ";" fields "${line}")
   list(GET fields 0 kind)
-  if(NOT kind STREQUAL "sampler")
+  if(kind STREQUAL "bsdf")
+    vkpt_add_bsdf(${fields})
+    continue()
+  elseif(NOT kind STREQUAL "sampler")
     message(FATAL_ERROR "${VKPT_REGISTRY}: unknown kind '${kind}'")
   endif()
   list(GET fields 1 id)
@@ -107,6 +120,28 @@ struct SamplerInfo {
         return std::span(scrambleList).first(scrambleCount);
     }
 };
+
+/// BSDF models; MaterialRecord.flags holds the id.
+enum class BsdfId : std::uint32_t {
+@bsdf_enum@};
+
+/// Models of one group share a shade kernel.
+enum class BsdfGroup : std::uint32_t {
+    Gltf = kGroupGltf,
+    Microfacet = kGroupMicrofacet,
+    Classic = kGroupClassic,
+};
+
+struct BsdfModelInfo {
+    BsdfId id;
+    std::string_view name;
+    BsdfGroup group;
+    std::string_view help;
+};
+
+/// In the order of their ids.
+inline constexpr auto kBsdfModels = std::to_array<BsdfModelInfo>({
+@bsdf_table@});
 
 inline constexpr auto kSamplers = std::to_array<SamplerInfo>({
 @table@});
