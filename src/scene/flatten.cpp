@@ -9,7 +9,7 @@ namespace vkpt {
 SceneArrays flatten(const Scene& scene, const FlattenOptions& options) {
     SceneArrays arrays;
     const std::vector<MaterialTraits> traits = materialTraits(scene);
-    flattenMaterials(scene, traits, arrays);
+    flattenMaterials(scene, traits, options.multiscatter, arrays);
     flattenGeometry(scene, options, traits, arrays);
     flattenLights(scene, arrays);
     return arrays;

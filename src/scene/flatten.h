@@ -11,6 +11,7 @@ struct FlattenOptions {
     bool instancing = true;
     /// A mesh placed several times is shared between its places if baking would add at least this many triangles.
     std::uint64_t instancingThreshold = 4096;
+    bool multiscatter = false;  ///< compensate what facets lose by interreflection
 };
 
 /// Flattens the scene: geometry, materials, textures, emissive triangles and punctual lights; no environment yet

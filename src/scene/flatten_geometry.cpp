@@ -232,7 +232,10 @@ void Writer::writeRun(Run& run) {
 std::uint32_t Writer::triangleFlags(const Primitive& primitive, const glm::uvec3& t) const {
     const MaterialRecord& material = arrays_.materials[primitive.material];
     std::uint32_t flags = primitive.material << kTriangleMaterialShift;
-    if ((material.flags & kMaterialDoubleSided) == 0) flags |= kTriangleSingleSided;
+    const std::uint32_t model = material.flags >> kMaterialModelShift & kMaterialModelMask;
+    flags |= static_cast<std::uint32_t>(kBsdfModels[model].group) << kTriangleGroupShift;
+    const bool seenThrough = model == static_cast<std::uint32_t>(BsdfId::Dielectric);  // from inside too
+    if ((material.flags & kMaterialDoubleSided) == 0 && !seenThrough) flags |= kTriangleSingleSided;
     const bool mask = (material.flags & kMaterialAlphaMask) != 0;
     if (mask || (material.flags & kMaterialAlphaBlend) != 0) {
         float alpha = material.baseColor.a * traits_[primitive.material].minTextureAlpha;

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "base/math.h"
+#include "scene/albedo_tables.h"
 #include "scene/texture_layout.h"
 
 namespace vkpt {
@@ -24,7 +25,7 @@ std::uint32_t materialFlags(const Material& material, const MaterialTraits& trai
     if (material.doubleSided) flags |= kMaterialDoubleSided;
     if (material.unlit) flags |= kMaterialUnlit;
     if (traits.vertexColor) flags |= kMaterialVertexColor;
-    return flags;
+    return flags | static_cast<std::uint32_t>(bsdfModel(material)) << kMaterialModelShift;
 }
 
 /// Slots that cannot change the picture are left empty: they would only cost loads.
@@ -35,7 +36,8 @@ MaterialRecord materialRecord(const Scene& scene, const Material& material, cons
         if (hasImage(scene, use)) maps[role] = {&use, srgb};
     };
     MaterialRecord record{};
-    record.baseColor = material.baseColor;
+    const bool isGltf = bsdfModel(material) == BsdfId::Gltf;
+    record.baseColor = isGltf ? material.baseColor : glm::vec4(1, 1, 1, material.baseColor.a);
     record.metallic = std::clamp(material.metallic, 0.0F, 1.0F);
     record.roughness = std::clamp(material.roughness, 0.0F, 1.0F);
     record.normalScale = material.normalScale;
@@ -43,7 +45,7 @@ MaterialRecord materialRecord(const Scene& scene, const Material& material, cons
     record.flags = materialFlags(material, traits);
     if (traits.used) read(kMapBaseColor, material.baseColorTexture, true);
     if (traits.used && !material.unlit) {
-        if (record.metallic > 0 || record.roughness > 0)
+        if (!isGltf || record.metallic > 0 || record.roughness > 0)
             read(kMapMetallicRoughness, material.metallicRoughnessTexture, false);
         read(kMapNormal, material.normalTexture, false);
         if (traits.emissive) {
@@ -55,7 +57,27 @@ MaterialRecord materialRecord(const Scene& scene, const Material& material, cons
     return record;
 }
 
+/// One BsdfRecord a material, unless all are glTF's; and the albedo tables.
+void addBsdfs(const Scene& scene, const std::vector<MaterialTraits>& traits, bool multiscatter, SceneArrays& arrays) {
+    arrays.features.multiscatter = multiscatter;
+    AlbedoTables tables(multiscatter);
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+        const Material& material = scene.materials[i];
+        const BsdfId model = bsdfModel(material);
+        if (!traits[i].used || model == BsdfId::Gltf) continue;
+        arrays.features.bsdfModels |= 1U << static_cast<std::uint32_t>(model);
+        arrays.bsdfs.resize(scene.materials.size(), bsdfRecord({}));
+        arrays.bsdfs[i] = bsdfRecord(*material.bsdf);
+        tables.add(model, hasImage(scene, material.metallicRoughnessTexture), arrays.bsdfs[i]);
+    }
+    arrays.albedoTables = tables.take();
+}
+
 }  // namespace
+
+BsdfId bsdfModel(const Material& material) {
+    return material.bsdf && !material.unlit ? material.bsdf->model : BsdfId::Gltf;
+}
 
 bool hasImage(const Scene& scene, const TextureUse& use) {
     return use.image >= 0 && static_cast<std::size_t>(use.image) < scene.images.size() &&
@@ -81,7 +103,9 @@ std::vector<MaterialTraits> materialTraits(const Scene& scene) {
     return traits;
 }
 
-void flattenMaterials(const Scene& scene, const std::vector<MaterialTraits>& traits, SceneArrays& arrays) {
+void flattenMaterials(const Scene& scene, const std::vector<MaterialTraits>& traits, bool multiscatter,
+                      SceneArrays& arrays) {
+    addBsdfs(scene, traits, multiscatter, arrays);
     TextureLayout layout(scene, arrays);
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
         const MaterialRecord record = materialRecord(scene, scene.materials[i], traits[i], layout);

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "scene/bsdf_spec.h"
+
 namespace vkpt {
 
 /// 8-bit image, row 0 at the top, R in the low byte. Not decoded from sRGB.
@@ -41,6 +43,7 @@ struct Material {
     AlphaMode alphaMode = AlphaMode::Opaque;
     float alphaCutoff = 0.5F;
     bool doubleSided = false, unlit = false;
+    std::optional<BsdfSpec> bsdf;  ///< another model than glTF's: VKPT_materials_bsdf or --material
     TextureUse baseColorTexture, metallicRoughnessTexture, normalTexture, emissiveTexture;
 };
 

@@ -1,0 +1,139 @@
+// Albedo tables against a quadrature that shares nothing with theirs: over incident directions, not normals.
+#include "scene/albedo_tables.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "scene/facets.h"
+
+namespace vkpt {
+namespace {
+
+constexpr std::size_t kSide = kAlbedoSide;
+
+glm::dvec2 unpack(std::uint32_t word) { return glm::dvec2(word & 0xffffU, word >> 16U) / 65535.0; }
+
+/// (first, second) of a table at one of its places.
+glm::dvec2 at(std::span<const AlbedoCell> table, std::size_t i, std::size_t j) {
+    const std::size_t ci = std::min(i, kSide - 2), cj = std::min(j, kSide - 2);
+    const AlbedoCell& cell = table[cj * (kSide - 1) + ci];
+    const std::uint32_t corners[4] = {cell.x, cell.y, cell.z, cell.w};
+    return unpack(corners[(i - ci) + 2 * (j - cj)]);
+}
+
+/// Reflected share of a dielectric or of a mirror (eta 0) by midpoints over the hemisphere of wi.
+double reflected(const facets::Facets& f, const glm::dvec3& wo, double eta) {
+    constexpr int kCos = 400, kPhi = 400;
+    double sum = 0;
+    for (int i = 0; i < kCos; ++i) {
+        for (int j = 0; j < kPhi; ++j) {
+            const double c = (i + 0.5) / kCos, phi = 2 * std::numbers::pi * (j + 0.5) / kPhi, s = std::sqrt(1 - c * c);
+            const glm::dvec3 wi(s * std::cos(phi), s * std::sin(phi), c), wm = glm::normalize(wo + wi);
+            const double fresnel = eta == 0 ? 1 : facets::dielectric(glm::dot(wo, wm), eta);
+            sum += fresnel * f.d(wm) * f.g2(wo, wi) / (4 * wo.z);
+        }
+    }
+    return sum * 2 * std::numbers::pi / (double{kCos} * kPhi);
+}
+
+glm::dvec3 direction(double cosine, double phi = 0) {
+    const double s = std::sqrt(1 - cosine * cosine);
+    return {s * std::cos(phi), s * std::sin(phi), cosine};
+}
+
+TEST(AlbedoTable, HoldsTheAlbedoOfRoughMirrors) {
+    for (const Distribution d : {Distribution::Ggx, Distribution::Beckmann, Distribution::Phong}) {
+        const auto table = makeAlbedoTable({.distribution = d});
+        ASSERT_EQ(table.size(), std::size_t{kAlbedoTableWords});
+        for (const std::size_t i : {8U, 20U, 31U}) {
+            for (const std::size_t j : {16U, 31U}) {
+                const double x = static_cast<double>(i) / (kSide - 1), y = static_cast<double>(j) / (kSide - 1);
+                const facets::Facets f{.distribution = d, .alpha = glm::dvec2(y * y)};
+                const glm::dvec2 e = at(table, i, j);
+                EXPECT_NEAR(e.x + e.y, std::min(1.0, reflected(f, direction(x * x), 0)), 1.5e-3)
+                    << "distribution " << static_cast<int>(d) << " place " << i << ", " << j;
+            }
+        }
+    }
+}
+
+TEST(AlbedoTable, SplitsByFresnelAtSmoothSurfaces) {
+    const auto table = gltfAlbedoTable();
+    ASSERT_EQ(table.size(), std::size_t{kAlbedoTableWords});
+    for (std::size_t i = 1; i < kSide; ++i) {
+        const double x = static_cast<double>(i) / (kSide - 1), rest = std::pow(1 - x * x, 5);
+        EXPECT_NEAR(at(table, i, 0).x, 1 - rest, 1e-5);
+        EXPECT_NEAR(at(table, i, 0).y, rest, 1e-5);
+    }
+}
+
+TEST(AlbedoTable, HoldsWhatDielectricsReflectFromBothSides) {
+    for (const float eta : {1.5F, 1 / 1.5F}) {
+        const auto table = makeAlbedoTable({.eta = eta});
+        for (const std::size_t i : {12U, 24U}) {
+            const double x = static_cast<double>(i) / (kSide - 1);
+            const facets::Facets f{.alpha = glm::dvec2(std::pow(22.0 / (kSide - 1), 2))};
+            const glm::dvec2 e = at(table, i, 22);
+            EXPECT_NEAR(e.x, reflected(f, direction(x * x), eta), 2e-3) << eta << " place " << i;
+            EXPECT_LE(e.x + e.y, 1 + 1e-4);
+            EXPECT_GT(e.x + e.y, 0.6);
+        }
+    }
+}
+
+TEST(AlbedoTable, AnisotropicRowsAreAzimuths) {
+    const glm::vec2 alpha(0.1F, 0.6F);
+    const auto table = makeAlbedoTable({.alpha = alpha});
+    const facets::Facets f{.alpha = glm::dvec2(alpha)};
+    for (const std::size_t j : {0U, 13U, 31U}) {
+        const double phi = static_cast<double>(j) / (kSide - 1) * std::numbers::pi / 2;
+        const glm::dvec2 e = at(table, 18, j);
+        const double x = 18.0 / (kSide - 1);
+        EXPECT_NEAR(e.x + e.y, reflected(f, direction(x * x, phi), 0), 2e-3) << "azimuth " << phi;
+    }
+}
+
+TEST(AlbedoTable, MeansAreThoseOfTheInterpolatedTable) {
+    const auto table = gltfAlbedoTable();
+    for (const std::size_t j : {3U, 17U, 30U}) {
+        double sum = 0;
+        constexpr int kSteps = 20000;
+        for (int s = 0; s < kSteps; ++s) {
+            const double cosine = (s + 0.5) / kSteps, x = std::sqrt(cosine) * (kSide - 1);
+            const auto i = std::min(static_cast<std::size_t>(x), kSide - 2);
+            const glm::dvec2 e = glm::mix(at(table, i, j), at(table, i + 1, j), x - static_cast<double>(i));
+            sum += (e.x + e.y) * cosine * 2 / kSteps;
+        }
+        const glm::dvec2 mean = unpack(table[(kSide - 1) * (kSide - 1) + j].x);
+        EXPECT_NEAR(mean.x + mean.y, sum, 3e-5);
+    }
+}
+
+TEST(AlbedoTables, AreMadeOnceEachAndOnlyWhereNeeded) {
+    const auto record = [](BsdfId model) { return bsdfRecord(defaultBsdf(model)); };
+    AlbedoTables off(false);
+    BsdfRecord conductor = record(BsdfId::Conductor), plastic = record(BsdfId::Plastic);
+    off.add(BsdfId::Conductor, false, conductor);
+    EXPECT_EQ(conductor.table, kNone);
+    off.add(BsdfId::Plastic, false, plastic);
+    EXPECT_EQ(plastic.table, 0U);
+    BsdfRecord again = record(BsdfId::Plastic);
+    off.add(BsdfId::Plastic, false, again);
+    EXPECT_EQ(again.table, 0U);
+    EXPECT_EQ(off.take().size(), std::size_t{2} * kAlbedoTableWords);
+
+    AlbedoTables on(true);
+    on.add(BsdfId::Conductor, false, conductor);
+    EXPECT_EQ(conductor.table, 0U) << "glTF's own";
+    BsdfRecord brushed = record(BsdfId::Conductor);
+    brushed.alphaX = 0.5F;
+    on.add(BsdfId::Conductor, false, brushed);
+    EXPECT_EQ(brushed.table, std::uint32_t{kAlbedoTableWords});
+    EXPECT_NE(brushed.flags & kBsdfAzimuthTable, 0U);
+    EXPECT_EQ(on.take().size(), std::size_t{2} * kAlbedoTableWords);
+}
+
+}  // namespace
+}  // namespace vkpt
