@@ -17,6 +17,14 @@ struct Frame {
         y = {b, sign + n.y * n.y * a, -n.y};
     }
 
+    /// Frame around n with x along the part of `tangent` across n; any where that has no length.
+    Frame(const Vec3<Real>& n, const Vec3<Real>& tangent) : Frame(n) {
+        const Vec3<Real> across = tangent - n * glm::dot(tangent, n);
+        if (!(glm::dot(across, across) > 0)) return;
+        x = glm::normalize(across);
+        y = glm::cross(z, x);
+    }
+
     [[nodiscard]] Vec3<Real> toLocal(const Vec3<Real>& v) const {
         return {glm::dot(v, x), glm::dot(v, y), glm::dot(v, z)};
     }

@@ -42,13 +42,17 @@ TangentFrame interpolateFrame(const SceneArrays& scene, const TriangleRecord& tr
     return {n, glm::vec4(t, handedness)};
 }
 
-/// The normal of the material's normal map; n is the unit vertex normal.
+/// The part of v across the unit vector n, normalised; 0 where it has no length.
+glm::vec3 across(const glm::vec3& v, const glm::vec3& n) {
+    const glm::vec3 flat = v - n * glm::dot(n, v);
+    return hasLength(flat) ? glm::normalize(flat) : glm::vec3(0);
+}
+
+/// The normal of the material's normal map; n is the unit vertex normal, t the tangent across it, 0 or a unit vector.
 glm::vec3 mapNormal(const SceneArrays& scene, const MaterialRecord& material, const Attributes& attributes,
-                    const glm::vec3& n, const glm::vec4& tangent) {
-    const glm::vec3 flat = glm::vec3(tangent) - n * glm::dot(n, glm::vec3(tangent));
-    if (!hasLength(flat)) return n;
-    const glm::vec3 t = glm::normalize(flat);
-    const glm::vec3 b = tangent.w * glm::cross(n, t);
+                    const glm::vec3& n, const glm::vec3& t, float handedness) {
+    if (!hasLength(t)) return n;
+    const glm::vec3 b = handedness * glm::cross(n, t);
     const glm::vec3 texel = 2.0F * glm::vec3(sampleTexture(scene, material.normalTexture, attributes.coords)) - 1.0F;
     const glm::vec3 mapped = texel.x * material.normalScale * t + texel.y * material.normalScale * b + texel.z * n;
     return hasLength(mapped) ? glm::normalize(mapped) : n;
@@ -95,9 +99,14 @@ ShadingPoint makeShadingPoint(const SceneArrays& scene, const Hit& hit, const At
 
     const TangentFrame frame = interpolateFrame(scene, triangle, hit);
     glm::vec3 ns = hasLength(frame.normal) ? glm::normalize(frame.normal) : ng;
-    if (material.normalTexture != kNone) ns = mapNormal(scene, material, attributes, ns, frame.tangent);
+    if (material.normalTexture != kNone) {
+        point.tangent = across(glm::vec3(frame.tangent), ns);
+        ns = mapNormal(scene, material, attributes, ns, point.tangent, frame.tangent.w);
+    }
     point.ns = bendNormal(wo, point.front ? ns : -ns, point.ng);
-    point.rayOrigin = point.position + point.ng * (kOffsetScale * magnitude);
+    const glm::vec3 offset = point.ng * (kOffsetScale * magnitude);
+    point.rayOrigin = point.position + offset;
+    point.farOrigin = point.position - offset;
     return point;
 }
 

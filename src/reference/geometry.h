@@ -37,7 +37,9 @@ struct ShadingPoint {
     glm::vec3 position{0};
     glm::vec3 ng{0, 0, 1};   ///< geometric normal on wo's side
     glm::vec3 ns{0, 0, 1};   ///< shading normal, normal map applied, bent
+    glm::vec3 tangent{0};    ///< T of the normal map's frame, across the vertex normal; 0 where there is none
     glm::vec3 rayOrigin{0};  ///< of all rays that leave on wo's side
+    glm::vec3 farOrigin{0};  ///< of all rays that go through
     bool front = true;       ///< wo is on the front of the triangle
 };
 

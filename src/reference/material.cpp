@@ -45,6 +45,35 @@ glm::vec2 metallicRoughness(const SceneArrays& scene, const MaterialRecord& mate
     return factors * glm::vec2(texel.b, texel.g);
 }
 
+glm::vec3 colorMap(const SceneArrays& scene, const MaterialRecord& material, const Attributes& at) {
+    glm::vec3 color(1);
+    if (material.baseColorTexture != kNone)
+        color = glm::vec3(sampleTexture(scene, material.baseColorTexture, at.coords));
+    if ((material.flags & kMaterialVertexColor) != 0) color *= glm::vec3(at.color);
+    return color;
+}
+
+float roughnessMap(const SceneArrays& scene, const MaterialRecord& material, const Attributes& at) {
+    if (material.metallicRoughnessTexture == kNone) return 1;
+    return sampleTexture(scene, material.metallicRoughnessTexture, at.coords).g;
+}
+
+Bsdf<float> bsdfOf(const SceneArrays& scene, const TriangleRecord& triangle, const Attributes& at, bool front) {
+    const MaterialRecord& material = materialOf(scene, triangle);
+    const BsdfId model = modelOf(material);
+    if (model != BsdfId::Gltf) {
+        const BsdfRecord& record = scene.bsdfs[triangle.flags >> kTriangleMaterialShift];
+        return makeBsdf(model, record, colorMap(scene, material, at), roughnessMap(scene, material, at), front, scene);
+    }
+    const glm::vec2 mr = metallicRoughness(scene, material, at);
+    Bsdf<float> b = makeGltfBsdf(glm::vec3(baseColor(scene, material, at)), mr.x, mr.y * mr.y);
+    if (scene.features.multiscatter) {
+        b.multiscatter = true;
+        b.table.cells = scene.albedoTables.data();
+    }
+    return b;
+}
+
 bool isPresent(const SceneArrays& scene, const Hit& hit, std::uint32_t alphaKey) {
     const TriangleRecord& triangle = scene.triangles[hit.triangle];
     const MaterialRecord& material = materialOf(scene, triangle);

@@ -1,5 +1,6 @@
 // What a surface is made of at one point.
 #pragma once
+#include "reference/bsdf.h"
 #include "reference/hash.h"
 #include "reference/hit.h"
 #include "reference/sampler.h"
@@ -29,6 +30,19 @@ struct Attributes {
 /// (metallic, perceptual roughness): factors x texture.
 [[nodiscard]] glm::vec2 metallicRoughness(const SceneArrays& scene, const MaterialRecord& material,
                                           const Attributes& at);
+
+/// Texture x vertex colour, without the factor: what multiplies the colour of models other than glTF's.
+[[nodiscard]] glm::vec3 colorMap(const SceneArrays& scene, const MaterialRecord& material, const Attributes& at);
+/// The texture of the roughness alone.
+[[nodiscard]] float roughnessMap(const SceneArrays& scene, const MaterialRecord& material, const Attributes& at);
+
+[[nodiscard]] inline BsdfId modelOf(const MaterialRecord& material) {
+    return static_cast<BsdfId>((material.flags >> kMaterialModelShift) & kMaterialModelMask);
+}
+
+/// The BSDF of a point whose wo is on the front, or on the back, of the surface.
+[[nodiscard]] Bsdf<float> bsdfOf(const SceneArrays& scene, const TriangleRecord& triangle, const Attributes& at,
+                                 bool front);
 
 /// Key of the stochastic alpha test of segment `bounce`; `kind` is kRayPath or kRayShadow.
 [[nodiscard]] inline std::uint32_t alphaKey(const SampleId& id, std::uint32_t bounce, std::uint32_t kind) {

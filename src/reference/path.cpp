@@ -2,7 +2,6 @@
 
 #include "dimensions.h"
 #include "reference/accumulate.h"
-#include "reference/bsdf.h"
 #include "reference/camera.h"
 #include "reference/frame.h"
 #include "reference/layers.h"
@@ -74,27 +73,36 @@ private:
     }
 
     [[nodiscard]] Scattering prepare() const {
-        const glm::vec3 base(baseColor(scene_, material_, attributes_));
-        const glm::vec2 mr = metallicRoughness(scene_, material_, attributes_);
-        const Frame<float> frame(point_.ns);
-        const glm::vec3 wo = frame.toLocal(wo_);
-        return {frame, makeBsdf(base, mr.x, mr.y, std::abs(wo.z)), wo};
+        const bool anisotropic = modelOf(material_) != BsdfId::Gltf;
+        const Frame<float> frame = anisotropic ? Frame<float>(point_.ns, point_.tangent) : Frame<float>(point_.ns);
+        return {frame, bsdfOf(scene_, triangle_, attributes_, point_.front), frame.toLocal(wo_)};
+    }
+
+    /// Whether the surface itself lets light pass from wo to wi: both normals agree on the side of wi.
+    [[nodiscard]] bool isConsistent(const glm::vec3& wiLocal, const glm::vec3& wiWorld) const {
+        const float side = glm::dot(wiWorld, point_.ng);
+        return wiLocal.z > 0 ? side > 0 : side < 0;
+    }
+    [[nodiscard]] const glm::vec3& originTowards(const glm::vec3& wiLocal) const {
+        return wiLocal.z > 0 ? point_.rayOrigin : point_.farOrigin;
     }
 
     /// Next event estimation.
     [[nodiscard]] std::optional<DirectLight> sampleLight(const Scattering& at) const {
-        if (!at.bsdf.hasDensity() || lights_.empty()) return std::nullopt;
+        if (lights_.empty() || !hasDensity(at.bsdf, at.wo)) return std::nullopt;
         const PathSample& sample = state_.sample;
         const auto light = lights_.sample(point_.position, sample.get1D(dimension(kDimLight)),
                                           sample.get2D(dimension(kDimLightPoint)));
-        if (!light || glm::dot(light->wi, point_.ng) <= 0) return std::nullopt;
+        if (!light) return std::nullopt;
         const glm::vec3 wi = at.frame.toLocal(light->wi);
+        if (!isConsistent(wi, light->wi)) return std::nullopt;
         const glm::vec3 f = evalBsdf(at.bsdf, at.wo, wi);
         const float w = light->punctual ? 1 : powerHeuristic(light->pdf, pdfBsdf(at.bsdf, at.wo, wi));
         DirectLight direct;
         direct.contribution = state_.throughput * f * std::abs(wi.z) * light->radiance / light->pdf * w;
         if (isBlack(direct.contribution)) return std::nullopt;
-        direct.shadowRay = {point_.rayOrigin, light->infinite ? light->wi : light->end - point_.rayOrigin};
+        const glm::vec3& origin = originTowards(wi);
+        direct.shadowRay = {origin, light->infinite ? light->wi : light->end - origin};
         if (light->infinite) direct.tMax = std::numeric_limits<float>::infinity();
         return direct;
     }
@@ -105,10 +113,10 @@ private:
         const auto drawn =
             sampleBsdf(at.bsdf, at.wo, sample.get1D(dimension(kDimLobe)), sample.get2D(dimension(kDimBsdf)));
         const glm::vec3 wi = at.frame.toWorld(drawn.wi);
-        if (isBlack(drawn.weight) || glm::dot(wi, point_.ng) <= 0) return std::nullopt;
+        if (isBlack(drawn.weight) || !isConsistent(drawn.wi, wi)) return std::nullopt;
         const glm::vec3 throughput = state_.throughput * drawn.weight;
         if (isBlack(throughput)) return std::nullopt;
-        return PathState{sample, state_.bounce + 1, {point_.rayOrigin, wi}, throughput, drawn.pdf};
+        return PathState{sample, state_.bounce + 1, {originTowards(drawn.wi), wi}, throughput, drawn.pdf};
     }
 
     /// Russian roulette.

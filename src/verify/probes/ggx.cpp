@@ -1,4 +1,4 @@
-#include "reference/bsdf/ggx.h"
+#include "reference/microfacet/ggx.h"
 
 #include "verify/context.h"
 #include "verify/inputs/random_inputs.h"

@@ -1,0 +1,58 @@
+// Metal, smooth or rough: mirror facets [Walter 07, eq. 20] with visible normals, and interreflection [Kulla 17].
+#include "reference/bsdf.h"
+#include "reference/bsdf/compensation.h"
+
+namespace vkpt::reference {
+
+namespace {
+
+template <class Real>
+Vec3<Real> returnedShareOf(const Bsdf<Real>& b, const Vec3<Real>& wo) {
+    return returnedShare(b.color * b.average, keptEnergyMean(b, b.table, wo));
+}
+
+/// Probability of the facets against the lobe of interreflection.
+template <class Real>
+Real facetShare(const Bsdf<Real>& b, const Vec3<Real>& wo) {
+    if (!b.compensates()) return 1;
+    const Real kept = keptEnergy(b, b.table, wo);
+    return shareOf(luminance(b.color * facetFresnel(b, wo.z)) * kept, luminance(returnedShareOf(b, wo)) * (1 - kept));
+}
+
+}  // namespace
+
+template <class Real>
+Vec3<Real> conductorEval(const Bsdf<Real>& b, const Vec3<Real>& wo, const Vec3<Real>& wi) {
+    if (b.isDelta() || wi.z <= 0) return Vec3<Real>(0);
+    const Real cosine = glm::dot(wo, glm::normalize(wo + wi));
+    Vec3<Real> f = b.color * facetFresnel(b, cosine) * facetReflection(b.facets(), wo, wi);
+    if (b.compensates()) {
+        const Real lobe =
+            lostEnergyLobe(keptEnergy(b, b.table, wo), keptEnergy(b, b.table, wi), keptEnergyMean(b, b.table, wo));
+        f += returnedShareOf(b, wo) * lobe;
+    }
+    return f;
+}
+
+template <class Real>
+Real conductorPdf(const Bsdf<Real>& b, const Vec3<Real>& wo, const Vec3<Real>& wi) {
+    if (b.isDelta() || wi.z <= 0) return 0;
+    const Real p = facetShare(b, wo);
+    return p * facetReflectionPdf(b.facets(), wo, wi) + (1 - p) * cosinePdf(wi);
+}
+
+template <class Real>
+BsdfSample<Real> conductorSample(const Bsdf<Real>& b, const Vec3<Real>& wo, Real uLobe, const Vec2<Real>& u) {
+    if (b.isDelta()) return deltaSample(mirrored(wo), b.color * facetFresnel(b, wo.z));
+    if (!choose(uLobe, facetShare(b, wo))) return towards(squareToCosineHemisphere(u));
+    return towards(reflectAbout(wo, sampleVisibleFacet(b.facets(), wo, u, uLobe)));
+}
+
+template <class Real>
+bool conductorHasDensity(const Bsdf<Real>& b, const Vec3<Real>&) {
+    return !b.isDelta();
+}
+
+VKPT_INSTANTIATE_BSDF(conductor)
+
+}  // namespace vkpt::reference
