@@ -44,13 +44,13 @@ template <class Real>
     const Real cot = cosTheta / sinTheta;
     const Real goal = u * distribution(cot);
     Real low = -kLargestSlope, high = std::min(cot, Real(kLargestSlope)), x = std::min(Real(0), high / 2);
-    constexpr int kSteps = std::is_same_v<Real, double> ? 56 : 24;
+    constexpr int kSteps = std::is_same_v<Real, double> ? 56 : 32;
     for (int i = 0; i < kSteps; ++i) {
         const Real miss = distribution(x) - goal;
         (miss > 0 ? high : low) = x;
         const Real rise = 2 / kSqrtPi<Real> * std::exp(-x * x) * (cosTheta - x * sinTheta);
         const Real newton = x - miss / rise;
-        x = newton > low && newton < high ? newton : (low + high) / 2;
+        x = newton >= low && newton <= high ? newton : (low + high) / 2;  // converged: it is one of them
     }
     return x;
 }

@@ -52,7 +52,7 @@ Real complementaryErrorFunction(Real x) {
         constexpr Real kLarge[] = {Real(-1.047766399936249e1),  Real(1.297719955372516e1), Real(-7.495518717768503),
                                    Real(2.921019019210786),     Real(-1.015265279202700),  Real(4.218463358204948e-1),
                                    Real(-2.820767439740514e-1), Real(5.641895067754075e-1)};
-        const Real q = 1 / a, p = a < 2 ? polynomial(q, kMiddle) : polynomial(q * q, kLarge);
+        const Real q = 1 / a, p = a < 2 ? polynomial(q * q, kMiddle) : polynomial(q * q, kLarge);
         const Real y = std::exp(-a * a) * q * p;
         return x < 0 ? 2 - y : y;
     }
