@@ -62,6 +62,7 @@ Json renderSettings(const PreparedScene& prepared) {
             {"envRotation", fmt::format("{}", prepared.envRotation)},
             {"envStrength", fmt::format("{}", prepared.envStrength)},
             {"background", backgroundText(p)},
+            {"multiscatter", prepared.arrays.features.multiscatter ? "on" : "off"},
             {"maxDepth", p.maxDepth},
             {"rr", rouletteText(p)},
             {"rrDepth", p.rrDepth},

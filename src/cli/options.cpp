@@ -55,6 +55,16 @@ void addLightOptions(CLI::App& app, SceneOptions& options) {
     addParsed(app, "--background", options.background, parseBackground, "env|transparent|R,G,B",
               "what the camera sees where nothing is (default: env)")
         ->group(group);
+    app.add_option("--material", options.materials, "another BSDF for a material (see vkpt bsdf --help); repeatable")
+        ->type_name("NAME=SPEC")
+        ->allow_extra_args(false)
+        ->group(group);
+    app.add_option("--material-all", options.allMaterials, "another BSDF for every material")
+        ->type_name("SPEC")
+        ->group(group);
+    addParsed(app, "--multiscatter", options.multiscatter, parseSwitch, "on|off",
+              "give back what rough surfaces lose by interreflection between facets (default: on)")
+        ->group(group);
 }
 
 /// "owen|xor|none", the default first.
@@ -79,8 +89,7 @@ std::string scrambleHelp() {
 SamplerChoice chooseSampler(SamplerId sampler, std::optional<ScrambleId> scramble) {
     if (!scramble) return sampler;
     const SamplerInfo& info = samplerInfo(sampler);
-    if (info.scrambleCount == 0)
-        throw usageError("--scramble", fmt::format("'{}' has none to choose from", info.name));
+    if (info.scrambleCount == 0) throw usageError("--scramble", fmt::format("'{}' has none to choose from", info.name));
     if (std::ranges::count(info.scrambles(), *scramble) == 0)
         throw usageError("--scramble", fmt::format("'{}' is not one of '{}': {}", scrambleName(*scramble), info.name,
                                                    scramblesOf(info)));
@@ -153,7 +162,8 @@ void addDeviceOptions(CLI::App& app, BackendOptions& options) {
               "how kernels read the scene (default: auto)")
         ->group(group);
     app.add_flag("--validate", options.validate, "turn Vulkan's validation layers on")->group(group);
-    addParsed(app, "--nthreads", options.threads, numberWithin(1U), "N", "threads of the host, and of lavapipe (default: all)", kCount)
+    addParsed(app, "--nthreads", options.threads, numberWithin(1U), "N",
+              "threads of the host, and of lavapipe (default: all)", kCount)
         ->group(group);
 }
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/log.h"
 #include "cli/parse.h"
@@ -28,6 +29,9 @@ struct SceneOptions {
     float envRotation = 0;  ///< degrees about +y
     float envStrength = 1;
     Background background;
+    std::vector<std::string> materials;  ///< NAME=SPEC
+    std::string allMaterials;            ///< SPEC; empty: none
+    bool multiscatter = true;            ///< compensate the interreflection between facets
 };
 
 /// How it is sampled.

@@ -37,6 +37,12 @@ std::optional<SampleRange> parseSampleRange(std::string_view text) {
     return SampleRange{range->x, range->y};
 }
 
+std::optional<bool> parseSwitch(std::string_view text) {
+    if (text == "on") return true;
+    if (text == "off") return false;
+    return std::nullopt;
+}
+
 std::optional<glm::vec3> parseVec3(std::string_view text) {
     const auto first = splitAt(text, ',');
     const auto second = first ? splitAt(first->right, ',') : std::nullopt;

@@ -45,6 +45,9 @@ template <class T>
 /// "X,Y,Z": finite numbers.
 [[nodiscard]] std::optional<glm::vec3> parseVec3(std::string_view text);
 
+/// "on" or "off".
+[[nodiscard]] std::optional<bool> parseSwitch(std::string_view text);
+
 /// "R,G,B": finite and not negative.
 [[nodiscard]] std::optional<glm::vec3> parseColor(std::string_view text);
 

@@ -15,6 +15,7 @@
 #include "scene/default_light.h"
 #include "scene/environment.h"
 #include "scene/flatten.h"
+#include "scene/material_override.h"
 
 namespace vkpt {
 namespace {
@@ -53,8 +54,8 @@ void setSampling(RenderOptions& options, const SamplingOptions& sampling) {
     const std::uint32_t spp = roundedSpp(sampling);
     const SampleRange range = sampling.samples.value_or(SampleRange{0, spp});
     if (range.end > spp)
-        throw usageError("--samples", fmt::format("{}:{} reaches beyond the {} samples of --spp", range.begin,
-                                                  range.end, spp));
+        throw usageError("--samples",
+                         fmt::format("{}:{} reaches beyond the {} samples of --spp", range.begin, range.end, spp));
     options.sampleBegin = range.begin;
     options.sampleEnd = range.end;
     RenderParams& params = options.params;
@@ -165,10 +166,12 @@ PreparedScene prepareScene(const SceneOptions& scene, const SamplingOptions& sam
     std::future<EnvironmentMap> environment;  // a large file is read while the scene is
     if (scene.environment.kind == EnvironmentKind::File)
         environment = std::async(std::launch::async, readEnvironment, scene.environment.file);
-    const Scene imported = importGltf(scene.file, {scene.sceneIndex, scene.allowExternal});
+    Scene imported = importGltf(scene.file, {scene.sceneIndex, scene.allowExternal});
+    if (!scene.allMaterials.empty()) overrideMaterials(imported, scene.allMaterials);
+    for (const std::string& text : scene.materials) overrideMaterial(imported, text);
     for (const std::string& warning : imported.warnings) spdlog::warn("{}", warning);
     clock.done("import");
-    prepared.arrays = flatten(imported);
+    prepared.arrays = flatten(imported, {.multiscatter = scene.multiscatter});
     clock.done("flatten");
     setEnvironment(prepared, scene.environment, std::move(environment));
     clock.done("environment");

@@ -7,9 +7,9 @@
 namespace vkpt::gltf {
 namespace {
 
-constexpr std::array<std::string_view, 5> kHonoured = {"KHR_lights_punctual", "KHR_materials_emissive_strength",
-                                                       "KHR_materials_unlit", "KHR_mesh_quantization",
-                                                       "KHR_texture_transform"};
+constexpr std::array<std::string_view, 6> kHonoured = {"KHR_lights_punctual",   "KHR_materials_emissive_strength",
+                                                       "KHR_materials_unlit",   "KHR_mesh_quantization",
+                                                       "KHR_texture_transform", "VKPT_materials_bsdf"};
 
 bool isHonoured(std::string_view name) {
     return std::find(kHonoured.begin(), kHonoured.end(), name) != kHonoured.end();

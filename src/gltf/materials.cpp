@@ -3,8 +3,11 @@
 #include <array>
 #include <cmath>
 #include <glm/glm.hpp>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "gltf/model.h"
+#include "scene/material_override.h"
 
 namespace vkpt::gltf {
 namespace {
@@ -85,6 +88,28 @@ AlphaMode alphaMode(const Document& document, const std::string& place, const st
     document.fail("{}.alphaMode: \"{}\" is none of OPAQUE, MASK, BLEND", place, mode);
 }
 
+nlohmann::ordered_json toJson(const tinygltf::Value& value) {
+    if (value.IsBool()) return value.Get<bool>();
+    if (value.IsInt()) return value.GetNumberAsInt();
+    if (value.IsNumber()) return value.GetNumberAsDouble();
+    if (value.IsString()) return value.Get<std::string>();
+    nlohmann::ordered_json json;
+    if (value.IsArray())
+        for (std::size_t i = 0; i < value.ArrayLen(); ++i) json.push_back(toJson(value.Get(static_cast<int>(i))));
+    if (value.IsObject())
+        for (const std::string& key : value.Keys()) json[key] = toJson(value.Get(key));
+    return json;
+}
+
+void readBsdf(const Document& document, const std::string& place, const tinygltf::Value& value, Material& material) {
+    if (value.Type() == tinygltf::NULL_TYPE) return;
+    try {
+        setBsdf(material, bsdfFromJson(toJson(value)));
+    } catch (const std::invalid_argument& fault) {
+        document.fail("{}.extensions.VKPT_materials_bsdf.{}", place, fault.what());
+    }
+}
+
 std::array<TextureUse*, 4> slots(Material& material) {
     return {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
             &material.emissiveTexture};
@@ -108,6 +133,7 @@ Material readMaterial(const Document& document, std::size_t index, std::vector<s
     material.alphaMode = alphaMode(document, place, source.alphaMode);
     material.alphaCutoff = static_cast<float>(source.alphaCutoff);
     material.doubleSided = source.doubleSided;
+    readBsdf(document, place, extension(source.extensions, "VKPT_materials_bsdf"), material);
     material.unlit = source.extensions.contains("KHR_materials_unlit");
 
     const std::string pbrPlace = place + ".pbrMetallicRoughness";

@@ -53,6 +53,8 @@ private:
         switch (field.kind) {
             case Kind::Array:
                 return elements(value, [](Json& item) { item = Json::object(); });
+            case Kind::AnyObject:
+                return require(value.is_object(), "must be an object");
             case Kind::Boolean:
                 return require(value.is_boolean(), "must be true or false");
             case Kind::Index:

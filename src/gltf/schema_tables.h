@@ -8,7 +8,8 @@
 namespace vkpt::gltf {
 
 enum class Kind {
-    Array,  // anything in it
+    Array,      // anything in it
+    AnyObject,  // checked where it is read
     Boolean,
     Index,     // into the root's array named by `section`
     Indices,   // array of them
@@ -110,7 +111,8 @@ constexpr std::array kMetallicRoughness{numbers("baseColorFactor", 4, 0, 1), num
 constexpr std::array kEmissiveStrength{number("emissiveStrength", 0)};
 constexpr Type<0> kUnlit{};
 constexpr std::array kMaterialExtensions{object("KHR_materials_emissive_strength", kEmissiveStrength),
-                                         object("KHR_materials_unlit", kUnlit)};
+                                         object("KHR_materials_unlit", kUnlit),
+                                         plain("VKPT_materials_bsdf", Kind::AnyObject)};
 constexpr std::array kMaterial{plain("name", Kind::String),
                                object("pbrMetallicRoughness", kMetallicRoughness),
                                object("normalTexture", kTextureInfo),

@@ -111,13 +111,19 @@ Json textureSlots(const Material& material) {
     return slots;
 }
 
+std::string modelName(const Material& material) {
+    if (material.unlit) return "unlit";
+    if (!material.bsdf) return "metallic-roughness";
+    return std::string(kBsdfModels[static_cast<std::size_t>(material.bsdf->model)].name);
+}
+
 Json materials(const Scene& scene) {
     Json list = Json::array();
     for (const Material& material : scene.materials) {
         constexpr std::array<std::string_view, 3> kModes{"OPAQUE", "MASK", "BLEND"};
         const glm::vec4& base = material.baseColor;
         list.push_back({{"name", material.name},
-                        {"model", material.unlit ? "unlit" : "metallic-roughness"},
+                        {"model", modelName(material)},
                         {"baseColor", {plain(base.r), plain(base.g), plain(base.b), plain(base.a)}},
                         {"metallic", plain(material.metallic)},
                         {"roughness", plain(material.roughness)},
@@ -125,6 +131,7 @@ Json materials(const Scene& scene) {
                         {"alphaMode", kModes[static_cast<std::size_t>(material.alphaMode)]},
                         {"doubleSided", material.doubleSided},
                         {"textures", textureSlots(material)}});
+        if (material.bsdf) list.back()["bsdf"] = bsdfToJson(*material.bsdf);
     }
     return list;
 }

@@ -78,10 +78,30 @@ std::string lightText(const Json& light) {
     return line;
 }
 
+/// "conductor, alpha [0.2, 0.2], …"
+std::string bsdfText(const Json& bsdf) {
+    std::string line = text(bsdf["model"]);
+    for (const auto& [key, value] : bsdf.items()) {
+        if (key == "model") continue;
+        line += fmt::format(", {} ", key);
+        if (value.is_array() && value.size() == 3)
+            line += vector(value);
+        else if (value.is_number())
+            line += fmt::format("{:.4g}", value.get<double>());
+        else
+            line += value.is_string() ? text(value) : jsonText(value, -1);
+    }
+    return line;
+}
+
 std::string materialText(const Json& material) {
-    std::string line = fmt::format("{}: {}, base {}, metallic {:.3g}, roughness {:.3g}", named(material),
-                                   text(material["model"]), vector(material["baseColor"]),
-                                   material["metallic"].get<double>(), material["roughness"].get<double>());
+    std::string line = named(material) + ": ";
+    if (material.contains("bsdf"))
+        line += bsdfText(material["bsdf"]);
+    else
+        line += fmt::format("{}, base {}, metallic {:.3g}, roughness {:.3g}", text(material["model"]),
+                            vector(material["baseColor"]), material["metallic"].get<double>(),
+                            material["roughness"].get<double>());
     if (material["emissive"] != Json{0.0, 0.0, 0.0}) line += ", emissive " + vector(material["emissive"]);
     if (material["alphaMode"] != "OPAQUE") line += ", " + text(material["alphaMode"]);
     if (material["doubleSided"].get<bool>()) line += ", double-sided";

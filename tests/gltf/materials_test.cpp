@@ -154,5 +154,28 @@ TEST(Materials, OnlyThoseInUseAreKeptAndTheDefaultComesLast) {
     EXPECT_EQ(scene.meshes[2].primitives[0].material, 0U);
 }
 
+TEST(MaterialsBsdf, AreReadAndFaultsNameMaterialAndField) {
+    const auto withBsdf = [](const Json& bsdf) {
+        return withMaterial({{"name", "brush"}, {"extensions", {{"VKPT_materials_bsdf", bsdf}}}});
+    };
+    const Json brushed{{"model", "conductor"}, {"metal", "Au"}, {"alpha", {0.1, 0.3}}, {"distribution", "beckmann"}};
+    const Material m = withBsdf(brushed).import().materials.at(0);
+    ASSERT_TRUE(m.bsdf);
+    EXPECT_EQ(*m.bsdf, parseBsdfSpec("conductor:metal=Au,alpha=0.1/0.3,distribution=beckmann"));
+    EXPECT_FALSE(imported(Json::object()).bsdf);
+
+    const Material ours = withBsdf({{"model", "gltf"}, {"metallic", 0}, {"roughness", 0.25}}).import().materials.at(0);
+    EXPECT_FALSE(ours.bsdf);
+    EXPECT_EQ(ours.roughness, 0.25F);
+
+    const auto faultOfBsdf = [&](const Json& bsdf) { return faultOf(withBsdf(bsdf)); };
+    EXPECT_THAT(faultOfBsdf({{"model", "conductor"}, {"alpha", 7}}),
+                HasSubstr("materials[0].extensions.VKPT_materials_bsdf.alpha: 7 is not within 0 and 1"));
+    EXPECT_THAT(faultOfBsdf(Json::array()),
+                HasSubstr("materials[0].extensions.VKPT_materials_bsdf: must be an object"));
+    EXPECT_THAT(faultOfBsdf(Json::object()),
+                HasSubstr("materials[0].extensions.VKPT_materials_bsdf.model: is missing"));
+}
+
 }  // namespace
 }  // namespace vkpt::test

@@ -1,11 +1,12 @@
 """Every scene by name."""
-from . import alpha, cornell, geometry, lights, relief, spheres, textures
+from . import alpha, cornell, gallery, geometry, lights, relief, spheres, textures
 
 SCENES = {
     "cornell_box": cornell.cornell_box,
     "mis_plates": cornell.mis_plates,
     "furnace": spheres.furnace,
     "material_grid": spheres.material_grid,
+    "bsdf_gallery": gallery.bsdf_gallery,
     "texture_transform": textures.texture_transform,
     "texture_wrap": textures.texture_wrap,
     "alpha_modes": alpha.alpha_modes,

@@ -10,7 +10,10 @@ class Expectations:
     def parity_options(self, *options):
         self.json["parity"]["options"] = list(options)
 
-    def render(self, name, size, *options, spp=64):
+    def render(self, name, size, *options, spp=64, multiscatter=False):
+        """Closed forms of glTF's material are those of its specification: without `multiscatter`."""
+        if not multiscatter:
+            options = (*options, "--multiscatter", "off")
         render = Render(name, [*options, "--size", f"{size[0]}x{size[1]}", "--spp", str(spp)])
         self.json["renders"].append(render.json)
         return render

@@ -120,8 +120,9 @@ class Gltf:
         return use
 
     def material(self, name, base=(1, 1, 1, 1), metallic=0.0, roughness=1.0, texture=None, orm=None,
-                 normal=None, emissive=None, strength=None, emissive_texture=None, unlit=False, **more):
-        """Texture arguments are texture_use(...) dictionaries; `more` holds core members such as alphaMode."""
+                 normal=None, emissive=None, strength=None, emissive_texture=None, unlit=False, bsdf=None, **more):
+        """Texture arguments are texture_use(...) dictionaries; `bsdf` is VKPT_materials_bsdf; `more` holds core members
+        such as alphaMode."""
         base = tuple(base) + (1,) * (4 - len(base))
         pbr = {"baseColorFactor": base, "metallicFactor": metallic, "roughnessFactor": roughness}
         if texture:
@@ -140,6 +141,8 @@ class Gltf:
             extensions["KHR_materials_emissive_strength"] = {"emissiveStrength": rounded(float(strength))}
         if unlit:
             extensions["KHR_materials_unlit"] = {}
+        if bsdf:
+            extensions["VKPT_materials_bsdf"] = rounded(bsdf)
         if extensions:
             self.use(*extensions)
             item["extensions"] = extensions

@@ -1,0 +1,70 @@
+#include "scene/material_override.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <stdexcept>
+
+#include "base/error.h"
+
+namespace vkpt {
+namespace {
+
+BsdfSpec specOf(const char* option, const std::string& text) {
+    try {
+        return parseBsdfSpec(text);
+    } catch (const std::invalid_argument& fault) {
+        throw Error(ExitCode::Usage, printable(fmt::format("{} {}: {}", option, text, fault.what())));
+    }
+}
+
+/// By name; else by index.
+Material* find(Scene& scene, const std::string& key) {
+    const auto named = std::ranges::find(scene.materials, key, &Material::name);
+    if (named != scene.materials.end()) return &*named;
+    std::size_t index = 0;
+    const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), index);
+    if (error != std::errc{} || end != key.data() + key.size() || index >= scene.materials.size()) return nullptr;
+    return &scene.materials[index];
+}
+
+std::string namesOf(const Scene& scene) {
+    constexpr std::size_t kMost = 20;
+    std::string names;
+    for (std::size_t i = 0; i < std::min(scene.materials.size(), kMost); ++i)
+        names += fmt::format("{}{} {}", i == 0 ? "" : ", ", i, scene.materials[i].name);
+    return scene.materials.size() > kMost ? names + ", …" : names;
+}
+
+}  // namespace
+
+void setBsdf(Material& material, const BsdfSpec& spec) {
+    material.unlit = false;
+    material.bsdf.reset();
+    if (spec.model != BsdfId::Gltf) {
+        material.bsdf = spec;
+        return;
+    }
+    material.baseColor = glm::vec4(spec.color, material.baseColor.a);
+    material.metallic = spec.metallic;
+    material.roughness = spec.sigma;
+}
+
+void overrideMaterial(Scene& scene, const std::string& text) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos)
+        throw Error(ExitCode::Usage, printable(fmt::format("--material: '{}' is not NAME=SPEC", text)));
+    Material* material = find(scene, text.substr(0, equals));
+    if (material == nullptr)
+        throw Error(ExitCode::Usage, printable(fmt::format("--material {}: the scene has no such material; it has {}",
+                                                           text.substr(0, equals), namesOf(scene))));
+    setBsdf(*material, specOf("--material", text.substr(equals + 1)));
+}
+
+void overrideMaterials(Scene& scene, const std::string& text) {
+    const BsdfSpec spec = specOf("--material-all", text);
+    for (Material& material : scene.materials) setBsdf(material, spec);
+}
+
+}  // namespace vkpt
