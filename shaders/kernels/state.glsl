@@ -60,7 +60,6 @@ SampleId sampleIdOf(uint path) {
     return SampleId(pixel % render.width | (pixel / render.width) << 16u, index, render.spp, render.seed);
 }
 
-float samplePath(SampleId id, uint dim) { return toUnit(samplerBits(id, dim)); }
 vec2 samplePath2D(SampleId id, uint dim) {  // dim is even
     uvec2 bits = samplerPair(id, dim >> 1u);
     return vec2(toUnit(bits.x), toUnit(bits.y));
