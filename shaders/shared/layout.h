@@ -101,10 +101,10 @@ struct BsdfRecord {
     float specular;   // cook_torrance: share of the specular part, s
 };
 
-// One cell of an albedo table: (first, second) as unorm16, first in the low half, at its four corners.
-// Averages have two corners, (j) and (j + 1), in x and y.
+// One cell of an albedo table: (first, sqrt(1 - first - second)) as unorm16, first in the low half, at its four corners.
+// Averages are floats (their bits) at two corners, j and j + 1: (1 - first - second)/alpha^2 in x and y, first in z and w.
 struct AlbedoCell {
-    uint x, y, z, w;  // (i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1): i of the cosine, j of the row
+    uint x, y, z, w;  // (i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1): cell j (kAlbedoSide - 1) + i, j the row
 };
 
 // One use of an image by a material: sampler and KHR_texture_transform included.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -12,7 +13,10 @@ namespace vkpt {
 namespace {
 
 constexpr std::size_t kSide = kAlbedoSide;
-using Column = std::array<glm::dvec2, kSide>;  ///< (first, second) at each cosine of one row
+struct Albedo {
+    double first = 0, lost = 0;  ///< lost: 1 - first - second
+};
+using Column = std::array<Albedo, kSide>;  ///< at each place of one row
 
 /// A normal visible from wo under GGX: the change of variables of the quadrature. [Dupuy 23]
 glm::dvec3 visibleNormal(const glm::dvec3& wo, const glm::dvec2& alpha, double u0, double u1) {
@@ -33,11 +37,14 @@ glm::dvec2 ofFacet(double cosine, double eta) {
     return {f, 1 - f};
 }
 
-glm::dvec2 albedo(const AlbedoTableKey& key, const facets::Facets& facets, const glm::dvec3& wo) {
-    constexpr int kSteps = 48;
+/// What masking shows of the facets is what they reflect, transmit or lose: summed like that, little is not the
+/// difference of much. Phong's masking is not its own: there the sum gains energy where grazing, and nothing is lost.
+Albedo albedo(const AlbedoTableKey& key, const facets::Facets& facets, const glm::dvec3& wo) {
+    constexpr int kSteps = 64;
     const facets::Facets ggx{Distribution::Ggx, key.masking, facets.alpha};
-    const double ggxG1 = 1 / (1 + ggx.lambda(wo));
-    glm::dvec2 sum(0);
+    const double ggxG1 = 1 / (1 + ggx.lambda(wo)), g1 = 1 / (1 + facets.lambda(wo));
+    const bool owns = key.distribution != Distribution::Phong;
+    Albedo sum{0, owns ? 0.0 : double{kSteps * kSteps}};
     for (int i = 0; i < kSteps; ++i) {
         for (int j = 0; j < kSteps; ++j) {
             const auto wm = visibleNormal(wo, facets.alpha, (i + 0.5) / kSteps, (j + 0.5) / kSteps);
@@ -46,33 +53,54 @@ glm::dvec2 albedo(const AlbedoTableKey& key, const facets::Facets& facets, const
             const double density = facets.d(wm) / (ggx.d(wm) * ggxG1);
             const glm::dvec2 share = ofFacet(cosine, key.eta);
             const glm::dvec3 reflected = 2 * cosine * wm - wo;
-            if (reflected.z > 0) {
-                const double weight = density * facets.g2(wo, reflected);
-                sum += key.eta == 0 ? weight * share : glm::dvec2(weight * share.x, 0);
+            const double seen = reflected.z > 0 ? facets.g2(wo, reflected) : 0;
+            sum.first += density * seen * share.x;
+            double left = seen * (key.eta == 0 ? 1 : share.x);
+            if (key.eta != 0 && share.y > 0) {
+                const double cosT = std::sqrt(1 - (1 - cosine * cosine) / (key.eta * key.eta));
+                const glm::dvec3 transmitted = (cosine / key.eta - cosT) * wm - wo / static_cast<double>(key.eta);
+                if (transmitted.z < 0) left += facets.g2(wo, transmitted) * share.y;
             }
-            if (key.eta == 0 || share.y == 0) continue;
-            const double cosT = std::sqrt(1 - (1 - cosine * cosine) / (key.eta * key.eta));
-            const glm::dvec3 transmitted = (cosine / key.eta - cosT) * wm - wo / static_cast<double>(key.eta);
-            if (transmitted.z < 0) sum.y += density * facets.g2(wo, transmitted) * share.y;
+            sum.lost += density * ((owns ? g1 : 0) - left);
         }
     }
-    return sum / double{kSteps * kSteps};
+    sum.first /= kSteps * kSteps;
+    sum.lost = std::max(0.0, sum.lost / (kSteps * kSteps));
+    sum.first = std::min(sum.first, 1 - sum.lost);
+    return sum;
+}
+
+/// From kDeltaAlpha to 1, evenly in the fourth root.
+double alphaOfRow(std::size_t row) {
+    const double least = std::pow(double{kDeltaAlpha}, 0.25);
+    return std::pow(least + (1 - least) * static_cast<double>(row) / (kSide - 1), 4);
+}
+
+/// Place of a direction in [0, 1]: half of it follows Fresnel, half the shape that all small alphas share where
+/// grazing.
+double placeOf(double cosine, double spread) { return (std::sqrt(cosine) + std::sqrt(cosine / (cosine + spread))) / 2; }
+
+/// The cosine at a place; spread / sine is `alpha`.
+double cosineAt(double place, double alpha) {
+    double low = 0, high = 1;
+    for (int i = 0; i < 60; ++i) {
+        const double c = (low + high) / 2;
+        (placeOf(c, alpha * std::sqrt(1 - c * c)) < place ? low : high) = c;
+    }
+    return (low + high) / 2;
 }
 
 Column makeRow(const AlbedoTableKey& key, std::size_t row) {
-    const double place = static_cast<double>(row) / (kSide - 1);
-    const double alpha = place * place, phi = place * std::numbers::pi / 2;
-    const facets::Facets facets{key.distribution, key.masking, key.alpha ? glm::dvec2(*key.alpha) : glm::dvec2(alpha)};
+    const double phi = static_cast<double>(row) / (kSide - 1) * std::numbers::pi / 2;
+    const glm::dvec2 alpha = key.alpha ? glm::dvec2(*key.alpha) : glm::dvec2(alphaOfRow(row));
+    const glm::dvec2 azimuth = key.alpha ? glm::dvec2(std::cos(phi), std::sin(phi)) : glm::dvec2(1, 0);
+    const facets::Facets facets{key.distribution, key.masking, alpha};
     Column column;
     for (std::size_t i = 0; i < kSide; ++i) {
-        const double x = static_cast<double>(i) / (kSide - 1), cosine = std::max(x * x, 1e-6);
-        const double sine = std::sqrt(1 - cosine * cosine);
-        const glm::dvec3 wo =
-            key.alpha ? glm::dvec3(sine * std::cos(phi), sine * std::sin(phi), cosine) : glm::dvec3(sine, 0, cosine);
-        const bool smooth = !key.alpha && row == 0;
-        column[i] = smooth ? ofFacet(cosine, key.eta) : albedo(key, facets, wo);
-        column[i] /=
-            std::max(1.0, column[i].x + column[i].y);  // phong, for want of its own masking, gains at grazing angles
+        const double place = static_cast<double>(i) / (kSide - 1);
+        const double cosine =
+            std::max(cosineAt(place, glm::length(alpha * azimuth)), 1e-6 * std::min(alpha.x, alpha.y));
+        column[i] = albedo(key, facets, glm::dvec3(std::sqrt(1 - cosine * cosine) * azimuth, cosine));
     }
     return column;
 }
@@ -80,20 +108,28 @@ Column makeRow(const AlbedoTableKey& key, std::size_t row) {
 std::uint32_t quantised(double value) {
     return static_cast<std::uint32_t>(std::lround(std::clamp(value, 0.0, 1.0) * 65535));
 }
-std::uint32_t packed(const glm::dvec2& pair) { return quantised(pair.x) | quantised(pair.y) << 16U; }
-glm::dvec2 unpacked(std::uint32_t word) { return glm::dvec2(word & 0xffffU, word >> 16U) / 65535.0; }
+std::uint32_t packed(const Albedo& a) { return quantised(a.first) | quantised(std::sqrt(a.lost)) << 16U; }
 
-/// 2 ∫ E(μ) μ dμ of the quantised row, linear in x = sqrt μ between its places: 4 ∫ E(x) x^3 dx.
-glm::dvec2 meanOf(const Column& column) {
+/// 2 ∫ E(μ) μ dμ of the quantised row as it is looked up: (first, lost). Steps crowd where grazing: μ = t⁴.
+glm::dvec2 meanOf(const Column& column, double alpha) {
+    constexpr int kSteps = 8192;
     glm::dvec2 sum(0);
-    for (std::size_t i = 0; i + 1 < kSide; ++i) {
-        const double a = static_cast<double>(i) / (kSide - 1), b = static_cast<double>(i + 1) / (kSide - 1);
-        const glm::dvec2 ea = unpacked(packed(column[i])), eb = unpacked(packed(column[i + 1]));
-        const glm::dvec2 slope = (eb - ea) / (b - a), constant = ea - slope * a;
-        sum += constant * (std::pow(b, 4) - std::pow(a, 4)) + slope * (std::pow(b, 5) - std::pow(a, 5)) * 0.8;
+    for (int s = 0; s < kSteps; ++s) {
+        const double t = (s + 0.5) / kSteps, cosine = t * t * t * t;
+        const double place = placeOf(cosine, alpha * std::sqrt(1 - cosine * cosine)) * (kSide - 1);
+        const auto i = std::min(static_cast<std::size_t>(place), kSide - 2);
+        const auto value = [&](std::size_t k) {
+            const std::uint32_t word = packed(column[k]);
+            return glm::dvec2(word & 0xffffU, word >> 16U) / 65535.0;
+        };
+        const glm::dvec2 v = glm::mix(value(i), value(i + 1), place - static_cast<double>(i));
+        sum += glm::dvec2(v.x, v.y * v.y) * (8 * cosine * t * t * t / kSteps);
     }
     return sum;
 }
+
+/// The mean that is lost comes divided by alpha^2, to which it is about proportional.
+std::uint32_t floatBits(double value) { return std::bit_cast<std::uint32_t>(static_cast<float>(value)); }
 
 }  // namespace
 
@@ -101,7 +137,13 @@ std::vector<AlbedoCell> makeAlbedoTable(const AlbedoTableKey& key) {
     std::array<Column, kSide> rows;
     tbb::parallel_for(std::size_t{0}, kSide, [&](std::size_t row) { rows[row] = makeRow(key, row); });
     std::array<glm::dvec2, kSide> means;
-    std::ranges::transform(rows, means.begin(), meanOf);
+    for (std::size_t row = 0; row < kSide; ++row) {
+        const double phi = static_cast<double>(row) / (kSide - 1) * std::numbers::pi / 2;
+        const double alpha = key.alpha ? glm::length(glm::dvec2(*key.alpha) * glm::dvec2(std::cos(phi), std::sin(phi)))
+                                       : alphaOfRow(row);
+        means[row] = meanOf(rows[row], alpha);
+        means[row].y /= key.alpha ? key.alpha->x * key.alpha->y : alpha * alpha;
+    }
     if (key.alpha) {  // the mean over all azimuths, for every row
         glm::dvec2 sum = (means.front() + means.back()) / 2.0;
         for (std::size_t row = 1; row + 1 < kSide; ++row) sum += means[row];
@@ -113,7 +155,9 @@ std::vector<AlbedoCell> makeAlbedoTable(const AlbedoTableKey& key) {
         for (std::size_t i = 0; i + 1 < kSide; ++i)
             cells.push_back(
                 {packed(rows[j][i]), packed(rows[j][i + 1]), packed(rows[j + 1][i]), packed(rows[j + 1][i + 1])});
-    for (std::size_t j = 0; j + 1 < kSide; ++j) cells.push_back({packed(means[j]), packed(means[j + 1]), 0, 0});
+    for (std::size_t j = 0; j + 1 < kSide; ++j)
+        cells.push_back(
+            {floatBits(means[j].y), floatBits(means[j + 1].y), floatBits(means[j].x), floatBits(means[j + 1].x)});
     return cells;
 }
 

@@ -1,6 +1,7 @@
 // Tables of how much a microsurface reflects, by angle and roughness. estimator.md, Microfacets; layout.h, AlbedoCell.
 #pragma once
 #include <algorithm>
+#include <bit>
 
 #include "constants.h"
 #include "layout.h"
@@ -8,50 +9,61 @@
 
 namespace vkpt::reference {
 
+/// Where a direction is looked up: both in [0, 1].
+template <class Real>
+struct TablePlace {
+    Real column, row;
+};
+
+template <class Real>
+struct Albedo {
+    Real first, lost;
+
+    [[nodiscard]] Real second() const { return std::max(Real(0), 1 - first - lost); }
+};
+
 /// View of the kAlbedoTableWords cells of one table, or of none.
 struct AlbedoTable {
     const AlbedoCell* cells = nullptr;
 
     [[nodiscard]] bool exists() const { return cells != nullptr; }
-    /// (first, second) towards a direction of |cosine|, at row y in [0, kAlbedoSide - 1].
     template <class Real>
-    [[nodiscard]] Vec2<Real> albedo(Real cosine, Real y) const;
-    /// Means over the hemisphere, weighted by the cosine.
+    [[nodiscard]] Albedo<Real> albedo(const TablePlace<Real>& place) const;
+    /// Means over the hemisphere, weighted by the cosine, at the roughness alpha.
     template <class Real>
-    [[nodiscard]] Vec2<Real> mean(Real y) const;
+    [[nodiscard]] Albedo<Real> mean(Real row, Real alpha) const;
 };
 
-/// (first, second) of one word.
+/// A place along an axis: the corner before it, and how far it is to the next.
 template <class Real>
-[[nodiscard]] Vec2<Real> unpackAlbedo(std::uint32_t word) {
-    return Vec2<Real>(word & 0xffffU, word >> 16U) / Real(65535);
-}
-
-/// Place in [0, kAlbedoSide - 1] along an axis: the corner before it, and how far it is to the next.
-template <class Real>
-struct TablePlace {
+struct TableStep {
     std::uint32_t cell;
     Real fraction;
 
-    explicit TablePlace(Real place)
-        : cell(std::min(static_cast<std::uint32_t>(place), kAlbedoSide - 2)), fraction(place - Real(cell)) {}
+    explicit TableStep(Real place) {
+        const Real scaled = place * Real(kAlbedoSide - 1);
+        cell = std::min(static_cast<std::uint32_t>(scaled), kAlbedoSide - 2);
+        fraction = scaled - Real(cell);
+    }
 };
 
 template <class Real>
-Vec2<Real> AlbedoTable::albedo(Real cosine, Real y) const {
-    const TablePlace<Real> i(Real(kAlbedoSide - 1) * std::sqrt(std::min(Real(1), std::abs(cosine)))), j(y);
+Albedo<Real> AlbedoTable::albedo(const TablePlace<Real>& place) const {
+    const TableStep<Real> i(place.column), j(place.row);
     const AlbedoCell& cell = cells[j.cell * (kAlbedoSide - 1) + i.cell];
-    const auto row = [&](std::uint32_t a, std::uint32_t b) {
-        return glm::mix(unpackAlbedo<Real>(a), unpackAlbedo<Real>(b), i.fraction);
-    };
-    return glm::mix(row(cell.x, cell.y), row(cell.z, cell.w), j.fraction);
+    const auto unpack = [](std::uint32_t word) { return Vec2<Real>(word & 0xffffU, word >> 16U) / Real(65535); };
+    const auto row = [&](std::uint32_t a, std::uint32_t b) { return glm::mix(unpack(a), unpack(b), i.fraction); };
+    const Vec2<Real> v = glm::mix(row(cell.x, cell.y), row(cell.z, cell.w), j.fraction);
+    return {v.x, v.y * v.y};
 }
 
 template <class Real>
-Vec2<Real> AlbedoTable::mean(Real y) const {
-    const TablePlace<Real> j(y);
+Albedo<Real> AlbedoTable::mean(Real row, Real alpha) const {
+    const TableStep<Real> j(row);
     const AlbedoCell& cell = cells[(kAlbedoSide - 1) * (kAlbedoSide - 1) + j.cell];
-    return glm::mix(unpackAlbedo<Real>(cell.x), unpackAlbedo<Real>(cell.y), j.fraction);
+    const auto number = [](std::uint32_t word) { return Real(std::bit_cast<float>(word)); };
+    return {glm::mix(number(cell.z), number(cell.w), j.fraction),
+            alpha * alpha * glm::mix(number(cell.x), number(cell.y), j.fraction)};
 }
 
 }  // namespace vkpt::reference

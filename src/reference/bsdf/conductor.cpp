@@ -7,16 +7,16 @@ namespace vkpt::reference {
 namespace {
 
 template <class Real>
-Vec3<Real> returnedShareOf(const Bsdf<Real>& b, const Vec3<Real>& wo) {
-    return returnedShare(b.color * b.average, keptEnergyMean(b, b.table, wo));
+Vec3<Real> returnedShareOf(const Bsdf<Real>& b) {
+    return returnedShare(b.color * b.average, lostEnergyMean(b, b.table));
 }
 
 /// Probability of the facets against the lobe of interreflection.
 template <class Real>
 Real facetShare(const Bsdf<Real>& b, const Vec3<Real>& wo) {
     if (!b.compensates()) return 1;
-    const Real kept = keptEnergy(b, b.table, wo);
-    return shareOf(luminance(b.color * facetFresnel(b, wo.z)) * kept, luminance(returnedShareOf(b, wo)) * (1 - kept));
+    const Real lost = lostEnergy(b, b.table, wo);
+    return shareOf(luminance(b.color * facetFresnel(b, wo.z)) * (1 - lost), luminance(returnedShareOf(b)) * lost);
 }
 
 }  // namespace
@@ -28,8 +28,8 @@ Vec3<Real> conductorEval(const Bsdf<Real>& b, const Vec3<Real>& wo, const Vec3<R
     Vec3<Real> f = b.color * facetFresnel(b, cosine) * facetReflection(b.facets(), wo, wi);
     if (b.compensates()) {
         const Real lobe =
-            lostEnergyLobe(keptEnergy(b, b.table, wo), keptEnergy(b, b.table, wi), keptEnergyMean(b, b.table, wo));
-        f += returnedShareOf(b, wo) * lobe;
+            lostEnergyLobe(lostEnergy(b, b.table, wo), lostEnergy(b, b.table, wi), lostEnergyMean(b, b.table));
+        f += returnedShareOf(b) * lobe;
     }
     return f;
 }
@@ -38,13 +38,13 @@ template <class Real>
 Real conductorPdf(const Bsdf<Real>& b, const Vec3<Real>& wo, const Vec3<Real>& wi) {
     if (b.isDelta() || wi.z <= 0) return 0;
     const Real p = facetShare(b, wo);
-    return p * facetReflectionPdf(b.facets(), wo, wi) + (1 - p) * cosinePdf(wi);
+    return p * facetReflectionPdf(b.facets(), wo, wi) + (p < 1 ? (1 - p) * lostEnergyLobePdf(b, wi) : Real(0));
 }
 
 template <class Real>
 BsdfSample<Real> conductorSample(const Bsdf<Real>& b, const Vec3<Real>& wo, Real uLobe, const Vec2<Real>& u) {
     if (b.isDelta()) return deltaSample(mirrored(wo), b.color * facetFresnel(b, wo.z));
-    if (!choose(uLobe, facetShare(b, wo))) return towards(squareToCosineHemisphere(u));
+    if (!choose(uLobe, facetShare(b, wo))) return towards(sampleLostEnergyLobe(b, u));
     return towards(reflectAbout(wo, sampleVisibleFacet(b.facets(), wo, u, uLobe)));
 }
 

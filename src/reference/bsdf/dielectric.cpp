@@ -34,27 +34,26 @@ struct TransmittingFacet {
 /// The lobe that makes good for what facets lose: how probable it is, and how much of it goes through.
 template <class Real>
 struct Interreflection {
-    Real probability = 0;  ///< 1 - E(wo)
-    Real transmitted = 0;  ///< share
-    Real nearMean = 1, farMean = 1;
+    Real probability = 0;            ///< 1 - E(wo)
+    Real transmitted = 0;            ///< share
+    Real nearMean = 0, farMean = 0;  ///< 1 - mean
 
     Interreflection(const Bsdf<Real>& b, const Vec3<Real>& wo) {
         if (!b.compensates()) return;
-        probability = 1 - keptEnergy(b, b.table, wo);
-        nearMean = keptEnergyMean(b, b.table, wo);
-        farMean = keptEnergyMean(b, b.farTable, wo);
-        const Real lost = (1 - nearMean) + (1 - farMean);
-        transmitted = lost > 0 ? (1 - b.average.x) * (1 - farMean) / lost : Real(0);
+        probability = lostEnergy(b, b.table, wo);
+        nearMean = lostEnergyMean(b, b.table);
+        farMean = lostEnergyMean(b, b.farTable);
+        const Real lost = nearMean + farMean;
+        transmitted = lost > 0 ? (1 - b.average.x) * farMean / lost : Real(0);
     }
 
     [[nodiscard]] Vec3<Real> eval(const Bsdf<Real>& b, const Vec3<Real>& wi) const {
         if (!(probability > 0)) return Vec3<Real>(0);
-        const Real keptO = 1 - probability;
         if (wi.z > 0) {
-            const Real lobe = lostEnergyLobe(keptO, keptEnergy(b, b.table, wi), nearMean);
+            const Real lobe = lostEnergyLobe(probability, lostEnergy(b, b.table, wi), nearMean);
             return Vec3<Real>((1 - transmitted) * lobe);
         }
-        const Real lobe = lostEnergyLobe(keptO, keptEnergy(b, b.farTable, wi), farMean);
+        const Real lobe = lostEnergyLobe(probability, lostEnergy(b, b.farTable, wi), farMean);
         return b.color * (transmitted * lobe / (b.eta.x * b.eta.x));
     }
 };
@@ -108,9 +107,10 @@ template <class Real>
 Real dielectricPdf(const Bsdf<Real>& b, const Vec3<Real>& wo, const Vec3<Real>& wi) {
     if (isSmooth(b) || wi.z == 0) return 0;
     const Interreflection<Real> between(b, wo);
+    const Real facets = (1 - between.probability) * facetsPdf(b, wo, wi);
+    if (!(between.probability > 0)) return facets;
     const Real share = wi.z > 0 ? 1 - between.transmitted : between.transmitted;
-    return (1 - between.probability) * facetsPdf(b, wo, wi) +
-           between.probability * share * std::abs(wi.z) / kPiOf<Real>;
+    return facets + between.probability * share * lostEnergyLobePdf(b, wi);
 }
 
 template <class Real>
@@ -123,7 +123,7 @@ BsdfSample<Real> dielectricSample(const Bsdf<Real>& b, const Vec3<Real>& wo, Rea
     }
     const Interreflection<Real> between(b, wo);
     if (choose(uLobe, between.probability)) {
-        Vec3<Real> wi = squareToCosineHemisphere(u);
+        Vec3<Real> wi = sampleLostEnergyLobe(b, u);
         if (choose(uLobe, between.transmitted)) wi.z = -wi.z;
         return towards(wi);
     }

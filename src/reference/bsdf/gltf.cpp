@@ -27,59 +27,59 @@ Vec3<Real> uncoupledAlbedo(const Bsdf<Real>& b, Real cosine) {
     return (1 - b.metallic) * (1 - fd) * b.color;
 }
 
+/// Probabilities of the three lobes.
+template <class Real>
+struct Shares {
+    Real specular = 1;
+    Real returned = 0;  ///< of those that are not specular: interreflection in the layer, against the base
+};
+
 /// The layer with interreflection: its albedos and what both lobes become.
 template <class Real>
 class Layer {
 public:
-    Layer(const Bsdf<Real>& b, const Vec3<Real>& wo)
-        : b_(b), delta_(b.isDelta()), row_(albedoRow(b, wo)), mean_(b.table.mean(row_)) {
-        const Real keptMean = mean_.x + mean_.y;
-        const auto share = [&](const Vec3<Real>& f0) {
-            return returnedShare((Real(1) + Real(20) * f0) / Real(21), keptMean);
-        };
+    explicit Layer(const Bsdf<Real>& b) : b_(b), delta_(b.isDelta()), mean_(albedoMean(b, b.table)) {
         if (delta_) return;
+        const auto share = [&](const Vec3<Real>& f0) {
+            return returnedShare((Real(1) + Real(20) * f0) / Real(21), mean_.lost);
+        };
         dielectric_ = share(Vec3<Real>(kF0<Real>)).x;
         returned_ = glm::mix(Vec3<Real>(dielectric_), share(b.color), b.metallic);
     }
 
     /// Interreflection in the layer, and the base below it.
     [[nodiscard]] Vec3<Real> eval(const Vec3<Real>& wo, const Vec3<Real>& wi) const {
-        Vec3<Real> f = diffuseScale() * (left(wo) * left(wi) / kPiOf<Real>);
-        if (!delta_) f += returned_ * lostEnergyLobe(kept(wo), kept(wi), mean_.x + mean_.y);
+        const Albedo<Real> o = at(wo), i = at(wi);
+        const Vec3<Real> base = (1 - b_.metallic) * b_.color / (1 - reflected(mean_));
+        Vec3<Real> f = base * (left(wo, o) * left(wi, i) / kPiOf<Real>);
+        if (!delta_) f += returned_ * lostEnergyLobe(o.lost, i.lost, mean_.lost);
         return f;
     }
 
-    [[nodiscard]] Real specularShare(const Vec3<Real>& wo) const {
+    [[nodiscard]] Shares<Real> shares(const Vec3<Real>& wo) const {
         const Vec3<Real> f0 = glm::mix(Vec3<Real>(kF0<Real>), b_.color, b_.metallic);
-        const Vec2<Real> a = at(wo);
-        const Vec3<Real> specular = delta_ ? specularFresnel(b_, wo.z) : f0 * a.x + a.y;
-        Vec3<Real> rest = (1 - b_.metallic) * b_.color * left(wo);
-        if (!delta_) rest += returned_ * (1 - a.x - a.y);
-        return shareOf(luminance(specular), luminance(rest));
+        const Albedo<Real> o = at(wo);
+        const Vec3<Real> specular = delta_ ? specularFresnel(b_, wo.z) : f0 * o.first + o.second();
+        const Real base = luminance((1 - b_.metallic) * b_.color * left(wo, o));
+        const Real returned = delta_ ? Real(0) : luminance(returned_) * o.lost;
+        return {shareOf(luminance(specular), returned + base), returned > 0 ? shareOf(returned, base) : Real(0)};
     }
 
 private:
-    [[nodiscard]] Vec2<Real> at(const Vec3<Real>& w) const { return b_.table.albedo(w.z, row_); }
-    [[nodiscard]] Real kept(const Vec3<Real>& w) const {
-        const Vec2<Real> a = at(w);
-        return a.x + a.y;
+    [[nodiscard]] Albedo<Real> at(const Vec3<Real>& w) const { return b_.table.albedo(albedoPlace(b_, w)); }
+    /// What the dielectric layer reflects, R.
+    [[nodiscard]] Real reflected(const Albedo<Real>& a) const {
+        if (delta_) return (1 + 20 * kF0<Real>) / 21;
+        return kF0<Real> * a.first + a.second() + dielectric_ * a.lost;
     }
-    /// 1 - R(w): what the dielectric layer leaves.
-    [[nodiscard]] Real left(const Vec3<Real>& w) const {
-        if (delta_) return 1 - schlickFresnel(std::abs(w.z), Vec3<Real>(kF0<Real>)).x;
-        const Vec2<Real> a = at(w);
-        return 1 - (kF0<Real> * a.x + a.y + dielectric_ * (1 - a.x - a.y));
-    }
-    [[nodiscard]] Vec3<Real> diffuseScale() const {
-        const Real mean =
-            delta_ ? (1 + 20 * kF0<Real>) / 21 : kF0<Real> * mean_.x + mean_.y + dielectric_ * (1 - mean_.x - mean_.y);
-        return (1 - b_.metallic) * b_.color / (1 - mean);
+    /// What it leaves towards w.
+    [[nodiscard]] Real left(const Vec3<Real>& w, const Albedo<Real>& a) const {
+        return 1 - (delta_ ? schlickFresnel(std::abs(w.z), Vec3<Real>(kF0<Real>)).x : reflected(a));
     }
 
     const Bsdf<Real>& b_;
     bool delta_;
-    Real row_;
-    Vec2<Real> mean_;
+    Albedo<Real> mean_;
     Real dielectric_ = 0;     ///< Ms of the dielectric layer
     Vec3<Real> returned_{0};  ///< Ms of the layer
 };
@@ -89,12 +89,18 @@ bool isCoupled(const Bsdf<Real>& b) {
     return b.multiscatter && b.table.exists();
 }
 
+template <class Real>
+Shares<Real> sharesOf(const Bsdf<Real>& b, const Vec3<Real>& wo) {
+    if (isCoupled(b)) return Layer<Real>(b).shares(wo);
+    const Real cosine = std::abs(wo.z);
+    return {shareOf(luminance(specularFresnel(b, cosine)), luminance(uncoupledAlbedo(b, cosine)))};
+}
+
 }  // namespace
 
 template <class Real>
 Real gltfSpecularShare(const Bsdf<Real>& b, const Vec3<Real>& wo) {
-    if (isCoupled(b)) return Layer<Real>(b, wo).specularShare(wo);
-    return shareOf(luminance(specularFresnel(b, std::abs(wo.z))), luminance(uncoupledAlbedo(b, std::abs(wo.z))));
+    return sharesOf(b, wo).specular;
 }
 
 template <class Real>
@@ -102,7 +108,7 @@ Vec3<Real> gltfEval(const Bsdf<Real>& b, const Vec3<Real>& wo, const Vec3<Real>&
     if (wi.z <= 0) return Vec3<Real>(0);
     const Vec3<Real> wm = glm::normalize(wo + wi);
     const Real cosine = std::abs(glm::dot(wo, wm));
-    const Vec3<Real> rest = isCoupled(b) ? Layer<Real>(b, wo).eval(wo, wi) : uncoupledAlbedo(b, cosine) / kPiOf<Real>;
+    const Vec3<Real> rest = isCoupled(b) ? Layer<Real>(b).eval(wo, wi) : uncoupledAlbedo(b, cosine) / kPiOf<Real>;
     if (b.isDelta()) return rest;
     return rest + specularFresnel(b, cosine) * (ggxD(wm, b.alphaX) * ggxVisibility(wo.z, wi.z, b.alphaX));
 }
@@ -110,19 +116,23 @@ Vec3<Real> gltfEval(const Bsdf<Real>& b, const Vec3<Real>& wo, const Vec3<Real>&
 template <class Real>
 Real gltfPdf(const Bsdf<Real>& b, const Vec3<Real>& wo, const Vec3<Real>& wi) {
     if (wi.z <= 0) return 0;
-    const Real pSpecular = gltfSpecularShare(b, wo);
-    const Real diffuse = (1 - pSpecular) * wi.z / kPiOf<Real>;
-    if (b.isDelta()) return diffuse;
+    const Shares<Real> p = sharesOf(b, wo);
+    Real rest = (1 - p.specular) * wi.z / kPiOf<Real>;
+    if (p.returned > 0) rest = rest * (1 - p.returned) + (1 - p.specular) * p.returned * lostEnergyLobePdf(b, wi);
+    if (b.isDelta()) return rest;
     const Vec3<Real> wm = glm::normalize(wo + wi);
-    return pSpecular * ggxD(wm, b.alphaX) * ggxG1(wo.z, b.alphaX) / (4 * wo.z) + diffuse;
+    return p.specular * ggxD(wm, b.alphaX) * ggxG1(wo.z, b.alphaX) / (4 * wo.z) + rest;
 }
 
 template <class Real>
 BsdfSample<Real> gltfSample(const Bsdf<Real>& b, const Vec3<Real>& wo, Real uLobe, const Vec2<Real>& u) {
-    const Real pSpecular = gltfSpecularShare(b, wo);
-    if (!(uLobe < pSpecular)) return towards(squareToCosineHemisphere(u));
-    if (b.isDelta()) return deltaSample(mirrored(wo), specularFresnel(b, wo.z) / pSpecular);
-    return towards(reflectAbout(wo, sampleGgxVisibleNormal(wo, b.alphaX, u)));
+    const Shares<Real> p = sharesOf(b, wo);
+    if (choose(uLobe, p.specular)) {
+        if (b.isDelta()) return deltaSample(mirrored(wo), specularFresnel(b, wo.z) / p.specular);
+        return towards(reflectAbout(wo, sampleGgxVisibleNormal(wo, b.alphaX, u)));
+    }
+    if (choose(uLobe, p.returned)) return towards(sampleLostEnergyLobe(b, u));
+    return towards(squareToCosineHemisphere(u));
 }
 
 template <class Real>

@@ -81,13 +81,39 @@ template <class Real>
     return Vec3<Real>(dielectricFresnel(cosine, b.eta.x));
 }
 
-/// The row of the albedo table for a direction.
+/// The roughness that stands for both.
 template <class Real>
-[[nodiscard]] Real albedoRow(const Bsdf<Real>& b, const Vec3<Real>& w) {
-    const Real last = kAlbedoSide - 1;
-    if ((b.flags & kBsdfAzimuthTable) != 0)
-        return last * std::min(Real(1), arcTangent2(std::abs(w.y), std::abs(w.x)) / (kPiOf<Real> / 2));
-    return last * std::min(Real(1), std::sqrt(std::sqrt(b.alphaX * b.alphaY)));
+[[nodiscard]] Real meanAlpha(const Bsdf<Real>& b) {
+    const Facets<Real> f = b.facets();
+    return std::sqrt(f.alphaX * f.alphaY);
+}
+
+/// The row of an albedo table for a roughness, in [0, 1]: even in the fourth root from kDeltaAlpha on.
+template <class Real>
+[[nodiscard]] Real albedoRow(Real alpha) {
+    const Real least = std::sqrt(std::sqrt(Real(kDeltaAlpha)));
+    return std::clamp((std::sqrt(std::sqrt(alpha)) - least) / (1 - least), Real(0), Real(1));
+}
+
+/// Where the albedo table has a direction.
+template <class Real>
+[[nodiscard]] TablePlace<Real> albedoPlace(const Bsdf<Real>& b, const Vec3<Real>& w) {
+    const bool azimuths = (b.flags & kBsdfAzimuthTable) != 0;
+    const Facets<Real> f = b.facets();
+    const Real alpha = meanAlpha(b), cosine = std::min(Real(1), std::abs(w.z));
+    const Vec2<Real> stretched = azimuths ? Vec2<Real>(f.alphaX * w.x, f.alphaY * w.y) : alpha * Vec2<Real>(w.x, w.y);
+    const Real spread = std::sqrt(glm::dot(stretched, stretched));
+    const Real column = (std::sqrt(cosine) + std::sqrt(cosine / (cosine + spread))) / 2;
+    const Real row = azimuths ? arcTangent2(std::abs(w.y), std::abs(w.x)) / (kPiOf<Real> / 2) : albedoRow(alpha);
+    return {std::min(Real(1), column), std::min(Real(1), row)};
+}
+
+/// Means of a table of this BSDF.
+template <class Real>
+[[nodiscard]] Albedo<Real> albedoMean(const Bsdf<Real>& b, const AlbedoTable& table) {
+    const Real alpha = meanAlpha(b);
+    // Rows of azimuths have all the same.
+    return table.mean(albedoRow(alpha), alpha);
 }
 
 #define VKPT_INSTANTIATE_BSDF_FOR(stem, Real)                                                              \

@@ -40,7 +40,7 @@ Vec3<Real> orenNayarEval(const Bsdf<Real>& b, const Vec3<Real>& wo, const Vec3<R
     const Real c3 = Real(0.125) * rough * ab * ab;
     const Real direct = c1 + at.cosPhi * c2 * at.tanBeta + (1 - std::abs(at.cosPhi)) * c3 * at.tanHalfSum;
     const Real interreflected = Real(0.17) * s2 / (s2 + Real(0.13)) * (1 - at.cosPhi * b2 * b2);
-    return b.color / kPiOf<Real> * (direct + b.color * interreflected);
+    return glm::max(Vec3<Real>(0), b.color / kPiOf<Real> * (direct + b.color * interreflected));
 }
 
 template <class Real>

@@ -10,13 +10,13 @@ namespace {
 template <class Real>
 Real entered(const Bsdf<Real>& b, const Vec3<Real>& w) {
     if (b.isDelta()) return 1 - dielectricFresnel(w.z, b.eta.x);
-    return 1 - b.table.albedo(w.z, albedoRow(b, w)).x;
+    return 1 - b.table.albedo(albedoPlace(b, w)).first;
 }
 
 template <class Real>
-Real enteredMean(const Bsdf<Real>& b, const Vec3<Real>& w) {
+Real enteredMean(const Bsdf<Real>& b) {
     if (b.isDelta()) return 1 - b.average.x;
-    return 1 - b.table.mean(albedoRow(b, w)).x;
+    return 1 - albedoMean(b, b.table).first;
 }
 
 template <class Real>
@@ -29,7 +29,7 @@ Real coatShare(const Bsdf<Real>& b, const Vec3<Real>& wo) {
 template <class Real>
 Vec3<Real> evalBase(const Bsdf<Real>& b, const Vec3<Real>& wo, const Vec3<Real>& wi) {
     const Real eta2 = b.eta.x * b.eta.x;
-    const Real turnedBack = 1 - enteredMean(b, wo) / eta2;
+    const Real turnedBack = 1 - enteredMean(b) / eta2;
     return entered(b, wo) * entered(b, wi) * b.diffuse / (kPiOf<Real> * eta2 * (Real(1) - b.diffuse * turnedBack));
 }
 
