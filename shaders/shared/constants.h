@@ -26,6 +26,7 @@ VKPT_CONST uint kMaterialAlphaBlend = 2u;  // alphaMode BLEND
 VKPT_CONST uint kMaterialDoubleSided = 4u;
 VKPT_CONST uint kMaterialUnlit = 8u;
 VKPT_CONST uint kMaterialVertexColor = 16u; // COLOR_0 multiplies the base colour
+VKPT_CONST uint kMaterialTangents = 32u;    // anisotropic: x of the BSDF's frame lies along the vertices' tangents
 VKPT_CONST uint kMaterialModelShift = 8u;   // BSDF model: an id of registry.def, 8 bits
 VKPT_CONST uint kMaterialModelMask = 255u;
 // The maps of a material in up to four sets of roles, 4 bits each, 0 after the last. Maps of one set differ in nothing

@@ -166,9 +166,11 @@ PreparedScene prepareScene(const SceneOptions& scene, const SamplingOptions& sam
     std::future<EnvironmentMap> environment;  // a large file is read while the scene is
     if (scene.environment.kind == EnvironmentKind::File)
         environment = std::async(std::launch::async, readEnvironment, scene.environment.file);
-    Scene imported = importGltf(scene.file, {scene.sceneIndex, scene.allowExternal});
-    if (!scene.allMaterials.empty()) overrideMaterials(imported, scene.allMaterials);
-    for (const std::string& text : scene.materials) overrideMaterial(imported, text);
+    const auto overrideAll = [&](std::vector<Material>& materials) {
+        if (!scene.allMaterials.empty()) overrideMaterials(materials, scene.allMaterials);
+        for (const std::string& text : scene.materials) overrideMaterial(materials, text);
+    };
+    const Scene imported = importGltf(scene.file, {scene.sceneIndex, scene.allowExternal, overrideAll});
     for (const std::string& warning : imported.warnings) spdlog::warn("{}", warning);
     clock.done("import");
     prepared.arrays = flatten(imported, {.multiscatter = scene.multiscatter});

@@ -153,7 +153,7 @@ void PrimitiveReader::checkTextureCoordinates(const Primitive& primitive, const 
 void PrimitiveReader::finishShading(Primitive& primitive, const Material& material) const {
     const bool flat = primitive.normals.empty();
     if (flat) makeFlat(primitive);
-    if (material.normalTexture.image < 0) return;
+    if (material.normalTexture.image < 0 && !(material.bsdf && isAnisotropic(*material.bsdf))) return;
     if (!flat) {  // tangents without normals would belong to other ones [glTF 2.0, §3.7.2.1]
         primitive.tangents = attribute<glm::vec4>("TANGENT", 4);
         require(primitive.tangents, "TANGENT", "has no direction", hasDirection);

@@ -29,7 +29,8 @@ constexpr std::uint32_t kUnused = 0xffffffffU;
 /// Collects what the scene places. Materials and meshes are numbered anew, in the file's order.
 class Importer {
 public:
-    Importer(const Document& document, Scene& scene) : document_(document), scene_(scene) {}
+    Importer(const Document& document, const ImportOptions& options, Scene& scene)
+        : document_(document), options_(options), scene_(scene) {}
 
     void run(const std::vector<PlacedNode>& placed) {
         placeMeshes(placed);
@@ -47,6 +48,7 @@ private:
     }
 
     const Document& document_;
+    const ImportOptions& options_;
     Scene& scene_;
     std::vector<PrimitiveTask> tasks_;
     std::vector<std::uint32_t> materialNumber_;
@@ -93,6 +95,7 @@ void Importer::readMaterials() {
         defaultMaterial_ = static_cast<std::uint32_t>(scene_.materials.size());
         scene_.materials.emplace_back().name = "default";
     }
+    if (options_.editMaterials) options_.editMaterials(scene_.materials);
 }
 
 void Importer::readGeometryAndImages() {
@@ -136,7 +139,7 @@ Scene importGltf(std::span<const unsigned char> bytes, const std::filesystem::pa
     scene.path = file;
     scene.warnings = document.warnings();
     reportExtensions(document, scene);
-    Importer(document, scene).run(placeNodes(document, options.scene, scene.warnings));
+    Importer(document, options, scene).run(placeNodes(document, options.scene, scene.warnings));
     scene.files = document.filesRead();
     for (std::string& warning : scene.warnings) warning = printable(std::move(warning));
     return scene;

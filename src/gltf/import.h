@@ -1,7 +1,9 @@
 // glTF 2.0 file -> Scene.
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <span>
+#include <vector>
 
 #include "scene/scene.h"
 
@@ -10,6 +12,8 @@ namespace vkpt {
 struct ImportOptions {
     int scene = -1;              ///< index into the file's scenes; -1: its default scene, else its first
     bool allowExternal = false;  ///< buffers and images may lie outside the scene's folder
+    /// Changes the materials before geometry is read, which depends on them (tangents). Errors pass through.
+    std::function<void(std::vector<Material>&)> editMaterials{};
 };
 
 /// Reads a .gltf or .glb file with its buffers and images. [glTF 2.0]

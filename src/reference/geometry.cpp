@@ -99,10 +99,9 @@ ShadingPoint makeShadingPoint(const SceneArrays& scene, const Hit& hit, const At
 
     const TangentFrame frame = interpolateFrame(scene, triangle, hit);
     glm::vec3 ns = hasLength(frame.normal) ? glm::normalize(frame.normal) : ng;
-    if (material.normalTexture != kNone) {
-        point.tangent = across(glm::vec3(frame.tangent), ns);
-        ns = mapNormal(scene, material, attributes, ns, point.tangent, frame.tangent.w);
-    }
+    const bool mapped = material.normalTexture != kNone;
+    if (mapped || (material.flags & kMaterialTangents) != 0) point.tangent = across(glm::vec3(frame.tangent), ns);
+    if (mapped) ns = mapNormal(scene, material, attributes, ns, point.tangent, frame.tangent.w);
     point.ns = bendNormal(wo, point.front ? ns : -ns, point.ng);
     const glm::vec3 offset = point.ng * (kOffsetScale * magnitude);
     point.rayOrigin = point.position + offset;

@@ -25,6 +25,13 @@ glm::vec3 meanReflectance(const BsdfSpec& spec) {
 
 }  // namespace
 
+bool isAnisotropic(const BsdfSpec& spec) {
+    const bool twoWays = spec.model == BsdfId::Conductor || spec.model == BsdfId::Dielectric ||
+                         spec.model == BsdfId::Plastic || spec.model == BsdfId::TorranceSparrow;
+    if (spec.model == BsdfId::AshikhminShirley) return spec.exponent.x != spec.exponent.y;
+    return twoWays && spec.alpha.x != spec.alpha.y;
+}
+
 BsdfRecord bsdfRecord(const BsdfSpec& spec) {
     BsdfRecord record{};
     record.color = spec.color;

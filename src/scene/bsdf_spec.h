@@ -45,6 +45,9 @@ struct BsdfSpec {
 /// What a bare name stands for.
 [[nodiscard]] BsdfSpec defaultBsdf(BsdfId model);
 
+/// Its x axis matters.
+[[nodiscard]] bool isAnisotropic(const BsdfSpec& spec);
+
 /// From the keys of VKPT_materials_bsdf. Throws std::invalid_argument, whose text names the field, its value and what
 /// it may be.
 [[nodiscard]] BsdfSpec bsdfFromJson(const nlohmann::ordered_json& json);

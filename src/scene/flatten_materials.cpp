@@ -25,6 +25,7 @@ std::uint32_t materialFlags(const Material& material, const MaterialTraits& trai
     if (material.doubleSided) flags |= kMaterialDoubleSided;
     if (material.unlit) flags |= kMaterialUnlit;
     if (traits.vertexColor) flags |= kMaterialVertexColor;
+    if (bsdfModel(material) != BsdfId::Gltf && isAnisotropic(*material.bsdf)) flags |= kMaterialTangents;
     return flags | static_cast<std::uint32_t>(bsdfModel(material)) << kMaterialModelShift;
 }
 

@@ -20,21 +20,21 @@ BsdfSpec specOf(const char* option, const std::string& text) {
 }
 
 /// By name; else by index.
-Material* find(Scene& scene, const std::string& key) {
-    const auto named = std::ranges::find(scene.materials, key, &Material::name);
-    if (named != scene.materials.end()) return &*named;
+Material* find(std::vector<Material>& materials, const std::string& key) {
+    const auto named = std::ranges::find(materials, key, &Material::name);
+    if (named != materials.end()) return &*named;
     std::size_t index = 0;
     const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), index);
-    if (error != std::errc{} || end != key.data() + key.size() || index >= scene.materials.size()) return nullptr;
-    return &scene.materials[index];
+    if (error != std::errc{} || end != key.data() + key.size() || index >= materials.size()) return nullptr;
+    return &materials[index];
 }
 
-std::string namesOf(const Scene& scene) {
+std::string namesOf(const std::vector<Material>& materials) {
     constexpr std::size_t kMost = 20;
     std::string names;
-    for (std::size_t i = 0; i < std::min(scene.materials.size(), kMost); ++i)
-        names += fmt::format("{}{} {}", i == 0 ? "" : ", ", i, scene.materials[i].name);
-    return scene.materials.size() > kMost ? names + ", …" : names;
+    for (std::size_t i = 0; i < std::min(materials.size(), kMost); ++i)
+        names += fmt::format("{}{} {}", i == 0 ? "" : ", ", i, materials[i].name);
+    return materials.size() > kMost ? names + ", …" : names;
 }
 
 }  // namespace
@@ -51,20 +51,20 @@ void setBsdf(Material& material, const BsdfSpec& spec) {
     material.roughness = spec.sigma;
 }
 
-void overrideMaterial(Scene& scene, const std::string& text) {
+void overrideMaterial(std::vector<Material>& materials, const std::string& text) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos)
         throw Error(ExitCode::Usage, printable(fmt::format("--material: '{}' is not NAME=SPEC", text)));
-    Material* material = find(scene, text.substr(0, equals));
+    Material* material = find(materials, text.substr(0, equals));
     if (material == nullptr)
         throw Error(ExitCode::Usage, printable(fmt::format("--material {}: the scene has no such material; it has {}",
-                                                           text.substr(0, equals), namesOf(scene))));
+                                                           text.substr(0, equals), namesOf(materials))));
     setBsdf(*material, specOf("--material", text.substr(equals + 1)));
 }
 
-void overrideMaterials(Scene& scene, const std::string& text) {
+void overrideMaterials(std::vector<Material>& materials, const std::string& text) {
     const BsdfSpec spec = specOf("--material-all", text);
-    for (Material& material : scene.materials) setBsdf(material, spec);
+    for (Material& material : materials) setBsdf(material, spec);
 }
 
 }  // namespace vkpt

@@ -1,6 +1,7 @@
 // Another BSDF for a material: by VKPT_materials_bsdf or from the command line.
 #pragma once
 #include <string>
+#include <vector>
 
 #include "scene/scene.h"
 
@@ -11,9 +12,9 @@ void setBsdf(Material& material, const BsdfSpec& spec);
 
 /// "NAME=SPEC" or "INDEX=SPEC". Throws Error(Usage) where the scene has no such material, naming those it has, or the
 /// spec is faulty.
-void overrideMaterial(Scene& scene, const std::string& text);
+void overrideMaterial(std::vector<Material>& materials, const std::string& text);
 
 /// One SPEC for all materials. Throws as above.
-void overrideMaterials(Scene& scene, const std::string& spec);
+void overrideMaterials(std::vector<Material>& materials, const std::string& spec);
 
 }  // namespace vkpt

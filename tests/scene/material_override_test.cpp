@@ -23,7 +23,7 @@ Scene twoMaterials() {
 std::string usageFault(const std::string& text) {
     Scene scene = twoMaterials();
     try {
-        overrideMaterial(scene, text);
+        overrideMaterial(scene.materials, text);
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ExitCode::Usage);
         return error.what();
@@ -33,12 +33,12 @@ std::string usageFault(const std::string& text) {
 
 TEST(MaterialOverride, ByNameByIndexOrAll) {
     Scene scene = twoMaterials();
-    overrideMaterial(scene, "glass=dielectric:ior=water");
-    overrideMaterial(scene, "0=lambert:color=0.25");
+    overrideMaterial(scene.materials, "glass=dielectric:ior=water");
+    overrideMaterial(scene.materials, "0=lambert:color=0.25");
     EXPECT_EQ(scene.materials[0].bsdf, parseBsdfSpec("lambert:color=0.25"));
     EXPECT_EQ(scene.materials[1].bsdf, parseBsdfSpec("dielectric:ior=water"));
     scene.materials[0].unlit = true;
-    overrideMaterials(scene, "gltf:color=0.5,metallic=1,roughness=0.125");
+    overrideMaterials(scene.materials, "gltf:color=0.5,metallic=1,roughness=0.125");
     for (const Material& material : scene.materials) {
         EXPECT_FALSE(material.bsdf || material.unlit);
         EXPECT_EQ(material.metallic, 1);
@@ -59,7 +59,7 @@ TEST(FlattenBsdf, RecordsGroupsAndTables) {
     EXPECT_TRUE(flatten(scene).albedoTables.empty());
     EXPECT_EQ(flatten(scene, {.multiscatter = true}).albedoTables.size(), std::size_t{kAlbedoTableWords});
 
-    overrideMaterial(scene, "paint=dielectric:alpha=0.3");
+    overrideMaterial(scene.materials, "paint=dielectric:alpha=0.3");
     const SceneArrays a = flatten(scene, {.multiscatter = true});
     ASSERT_EQ(a.bsdfs.size(), 2U);
     EXPECT_EQ(a.bsdfs[0].table, std::uint32_t{kAlbedoTableWords});
