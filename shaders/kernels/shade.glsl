@@ -71,8 +71,7 @@ vec3 leaveSurface(ShadingPoint p) { return p.position + p.ng * p.offset; }
 ShadowItem sampleDirect(PathVertex v, vec3 wo) {
     ShadowItem item = ShadowItem(leaveSurface(v.point), vec3(0.0), vec3(0.0), 0.0);
     if (scene.lightCount == 0u) return item;
-    LightSample light = sampleLight(v.point.position, samplePath(v.id, bounceDimension(kDimLight)),
-                                    samplePath2D(v.id, bounceDimension(kDimLightPoint)));
+    LightSample light = sampleLight(v.point.position, samplerPair(v.id, bounceDimension(kDimLight) >> 1u));
     vec3 wi = toLocal(v.point.frame, light.wi), f;
     float pdf;
     gltfEvaluate(v.bsdf, wo, wi, f, pdf);

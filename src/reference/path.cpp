@@ -84,9 +84,7 @@ private:
     /// Next event estimation.
     [[nodiscard]] std::optional<DirectLight> sampleLight(const Scattering& at) const {
         if (!at.bsdf.hasDensity() || lights_.empty()) return std::nullopt;
-        const PathSample& sample = state_.sample;
-        const auto light = lights_.sample(point_.position, sample.get1D(dimension(kDimLight)),
-                                          sample.get2D(dimension(kDimLightPoint)));
+        const auto light = lights_.sample(point_.position, state_.sample.bits2D(dimension(kDimLight)));
         if (!light || glm::dot(light->wi, point_.ng) <= 0) return std::nullopt;
         const glm::vec3 wi = at.frame.toLocal(light->wi);
         const glm::vec3 f = evalBsdf(at.bsdf, at.wo, wi);
