@@ -1,6 +1,8 @@
 // Stage 3b: paths that met a surface: its emission, one light sample, one BSDF sample, Russian roulette.
 // The steps are those of estimator.md.
 #include "kernels/preamble.glsl"
+const uint kFirstDimension = kDimBounce;
+#include "kernels/draw.glsl"
 #include "kernels/append.glsl"
 #include "kernels/contribution.glsl"
 #include "material/texture.glsl"
