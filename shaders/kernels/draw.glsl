@@ -2,8 +2,6 @@
 // dimension that they draw.
 #include "samplers.glsl"
 
-vec2 samplePath2D(SampleId id, uint dim) {  // dim is even
-    uvec2 bits = samplerPair(id, dim >> 1u);
-    return vec2(toUnit(bits.x), toUnit(bits.y));
-}
+vec2 toUnit(uvec2 bits) { return vec2(toUnit(bits.x), toUnit(bits.y)); }
+vec2 samplePath2D(SampleId id, uint dim) { return toUnit(samplerPair(id, dim >> 1u)); }  // dim is even
 uint bounceDimension(uint dim) { return kDimBounce + batch.bounce * kDimBounceStride + dim; }
