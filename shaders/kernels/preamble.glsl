@@ -14,5 +14,4 @@
 #include "math/warp.glsl"
 #include "math/cdf.glsl"
 #include "samplers/sample_id.glsl"
-#include "samplers.glsl"
 #include "kernels/state.glsl"

@@ -1,6 +1,8 @@
 // Stage 3b: paths that met a surface: its emission, one light sample, one BSDF sample, Russian roulette.
 // The steps are those of estimator.md.
 #include "kernels/preamble.glsl"
+const uint kFirstDimension = kDimBounce;
+#include "kernels/draw.glsl"
 #include "kernels/append.glsl"
 #include "kernels/contribution.glsl"
 #include "material/texture.glsl"
@@ -23,7 +25,7 @@ struct PathVertex {
     ShadingPoint point;
     vec4 baseColor;
     GltfBsdf bsdf;
-    vec2 numbers[4];  // the bounce's random numbers of dimensions 2 i and 2 i + 1
+    uvec2 numbers[3];  // the bounce's random bits of dimensions 2 i and 2 i + 1
 };
 
 PathVertex loadPathVertex(uint path) {
@@ -42,7 +44,7 @@ PathVertex loadPathVertex(uint path) {
     vec4 mr = v.point.maps.metallicRoughness;
     float roughness = m.roughness * mr.g;
     // In a loop, since drivers inline every call with all samplers before they strip those that are not in use.
-    [[unroll]] for (uint i = 0u; i < 4u; ++i) v.numbers[i] = samplePath2D(v.id, bounceDimension(2u * i));
+    [[unroll]] for (uint i = 0u; i < 3u; ++i) v.numbers[i] = samplerPair(v.id, (bounceDimension(0u) >> 1u) + i);
     v.bsdf = GltfBsdf(v.baseColor.rgb, m.metallic * mr.b, roughness * roughness);
     return v;
 }
@@ -74,7 +76,7 @@ vec3 leaveSurface(ShadingPoint p) { return p.position + p.ng * p.offset; }
 ShadowItem sampleDirect(PathVertex v, vec3 wo) {
     ShadowItem item = ShadowItem(leaveSurface(v.point), vec3(0.0), vec3(0.0), 0.0);
     if (scene.lightCount == 0u) return item;
-    LightSample light = sampleLight(v.point.position, v.numbers[kDimLight / 2u].x, v.numbers[kDimLightPoint / 2u]);
+    LightSample light = sampleLight(v.point.position, v.numbers[kDimLight / 2u]);
     vec3 wi = toLocal(v.point.frame, light.wi), f;
     float pdf;
     gltfEvaluate(v.bsdf, wo, wi, f, pdf);
@@ -88,8 +90,8 @@ ShadowItem sampleDirect(PathVertex v, vec3 wo) {
 
 // Steps 6 and 7: the next segment; false where the path ends.
 bool samplePathDirection(PathVertex v, vec3 wo, out vec3 direction, out vec3 throughput, out float pdf) {
-    vec2 choices = v.numbers[kDimLobe / 2u];  // of a lobe; kDimRoulette: to survive
-    BsdfSample s = gltfSample(v.bsdf, wo, choices.x, v.numbers[kDimBsdf / 2u]);
+    vec2 choices = toUnit(v.numbers[kDimLobe / 2u]);  // of a lobe; kDimRoulette: to survive
+    BsdfSample s = gltfSample(v.bsdf, wo, choices.x, toUnit(v.numbers[kDimBsdf / 2u]));
     direction = toWorld(v.point.frame, s.wi);
     throughput = v.throughput * s.weight;
     pdf = s.pdf;

@@ -57,11 +57,6 @@ uint queueArray(uint bounce, uint queue) {
 SampleId sampleIdOf(uint path) {
     uint pixel = batch.firstPixel + path / batch.sampleCount;
     uint index = batch.firstSample + path % batch.sampleCount;
-    return SampleId(pixel % render.width | (pixel / render.width) << 16u, index, render.spp, render.seed);
+    uint spp = kSetSamples != 0u ? kSetSamples : render.spp;
+    return SampleId(pixel % render.width | (pixel / render.width) << 16u, index, spp, render.seed);
 }
-
-vec2 samplePath2D(SampleId id, uint dim) {  // dim is even
-    uvec2 bits = samplerPair(id, dim >> 1u);
-    return vec2(toUnit(bits.x), toUnit(bits.y));
-}
-uint bounceDimension(uint dim) { return kDimBounce + batch.bounce * kDimBounceStride + dim; }

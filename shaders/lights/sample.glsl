@@ -63,11 +63,27 @@ LightSample sampleEnvironmentLight(float pmf, vec2 u) {
     return s;
 }
 
-LightSample sampleLight(vec3 from, float uLight, vec2 u) {
+// A light, and what is left of the number that chose it, from 0 to below 1.
+struct LightChoice {
+    uint light;
+    float rest;
+};
+
+LightChoice chooseLight(uint bits) {
+    float u = toUnit(bits), beyondU = float(bits & 0xffu) * 2.3283064365386963e-10;  // 2^-32
+    if (scene.lightCount == 1u) return LightChoice(0u, min(u + beyondU, kBelowOne));
+    uvec3 found = searchCdf(scene.lightCdf, scene.lightCount, u, kLightSteps);
+    float before = uintBitsToFloat(found.y);
+    return LightChoice(found.x, min((u - before + beyondU) / (uintBitsToFloat(found.z) - before), kBelowOne));
+}
+
+// `bits`: two sampler values; the first chooses both the light and one coordinate of the point on it.
+LightSample sampleLight(vec3 from, uvec2 bits) {
     LightSample s = LightSample(vec3(0.0), false, vec3(0.0), vec3(0.0), 0.0, false);
     if (scene.lightCount == 0u) return s;
-    uint index = scene.lightCount == 1u ? 0u : searchCdf(scene.lightCdf, scene.lightCount, uLight, kLightSteps).x;
-    LightRecord light = loadLight(index);
+    LightChoice choice = chooseLight(bits.x);
+    LightRecord light = loadLight(choice.light);
+    vec2 u = vec2(choice.rest, toUnit(bits.y));
     if (kHasTriangleLights != 0u && light.kind <= kLightTriangleTwoSided) s = sampleTriangleLight(light, from, u);
     if (kHasPunctualLights != 0u && light.kind >= kLightPoint && light.kind <= kLightDirectional)
         s = samplePunctualLight(light, from);

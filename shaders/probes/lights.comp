@@ -1,5 +1,5 @@
 #version 460
-// In: point, uLight; u. Out: wi, pdf; radiance, infinite; target, delta.
+// In: point; two sampler values. Out: wi, pdf; radiance, infinite; target, delta.
 #extension GL_GOOGLE_include_directive : require
 const uint kInputWords = 2u, kOutputWords = 3u;
 #include "probes/scene_probe.glsl"
@@ -14,8 +14,7 @@ const uint kInputWords = 2u, kOutputWords = 3u;
 
 void main() {
     if (isIdle()) return;
-    vec4 from = inputFloat(0u);
-    LightSample s = sampleLight(from.xyz, from.w, inputFloat(1u).xy);
+    LightSample s = sampleLight(inputFloat(0u).xyz, inputWord(1u).xy);
     putFloat(0u, vec4(s.wi, s.pdf));
     putFloat(1u, vec4(s.radiance, s.infinite ? 1.0 : 0.0));
     putFloat(2u, vec4(s.target, s.delta ? 1.0 : 0.0));

@@ -1,13 +1,6 @@
 // Orthogonal arrays of strength 2 by Bose's construction, as [Jarosz 19, listing 1] sample them: p^2 samples, of any
 // two of an array's p + 1 dimensions one a cell of the p x p grid, of every dimension one a row of p^2.
-// Table: the smallest prime that is not below the index, from index 0, a byte each.
 #include "samplers/strata.glsl"
-
-uint boseLevels(uint spp) {
-    uint samples = min(spp, kLargestPrimeSet), root = integerRoot(samples);
-    root += root * root < samples ? 1u : 0u;
-    return (sceneWord(scene.samplerTable + (root >> 4u))[(root >> 2u) & 3u] >> ((root & 3u) * 8u)) & 0xffu;
-}
 
 // Level of row (a0, a1) in a column of the array.
 uint boseLevel(uvec2 a, uint column, Divisor p) {
@@ -20,7 +13,7 @@ uint shuffleLevel(uint level, Divisor p, uint key) {
 }
 
 uvec2 orthogonalPair(SampleId id, uint pair) {
-    Divisor p = makeDivisor(boseLevels(id.spp)), count = makeDivisor(p.d * p.d);
+    Divisor p = makeDivisor(integerRoot(min(id.spp, kLargestPrimeSet))), count = makeDivisor(p.d * p.d);
     uvec2 array = divide(pair, makeDivisor((p.d + 1u) >> 1u));  // which array; which of its pairs of columns
     uvec2 set = divide(id.index, count);
     uvec4 key = samplerKey(id.pixel, array.x, id.seed, set.x);

@@ -11,6 +11,21 @@ uint faureDigit(uint first, uint digit) {
     return (sceneWord(scene.samplerTable + (element >> 3u))[(element >> 1u) & 3u] >> ((element & 1u) * 16u)) & 0xffffu;
 }
 
+// The next digit of an index, the lowest first; `key` changes from digit to digit.
+uint scrambledDigit(uint digit, Divisor base, uint faureFirst, inout uint key) {
+    if (kScramble == kScrambleFaure) return faureDigit(faureFirst, digit);
+    if (kScramble == kScrambleNone) return digit;
+    uint node = mixBits(key);
+    key = kScramble == kScrambleOwen ? node ^ digit : node;
+    uint factor = 1u + (((node * 0x9e3779b9u) >> 16u) * (base.d - 1u) >> 16u);
+    return divide(factor * digit + multiplyHigh(node, base.d), base).y;
+}
+
+// Bases from 17 on have 6 digits at most, and those are all that bounces draw while their dimensions do not repeat;
+// base 2 has 24. A loop of known length may unroll.
+const uint kDigitsAtOnce = 6u;
+const uint kMostDigits = kFirstDimension >= kDimBounce && kManyDimensions == 0u ? kDigitsAtOnce : 24u;
+
 // Inverse of `index` in prime number `d`, 32-bit fixed point; digits beyond 24 bits do not count.
 // none; faure: one permutation a base [Faure 92]; digit: a random one a place; owen: a random one a node of the digit
 // tree. Random ones are affine maps modulo b: any two digits go to any two others alike, which is all that the variance
@@ -19,18 +34,13 @@ uint radicalInverse(uint index, uint d, uint key) {
     uvec4 entry = sceneWord(scene.samplerTable + d);
     Divisor base = Divisor(entry.x & 0x7ffu, entry.y);
     uint digits = (entry.x >> 11u) & 31u, rest = index, value = 0u;
-    for (uint k = 0u; k < digits; ++k) {
-        uvec2 split = divide(rest, base);
-        rest = split.x;
-        uint digit = split.y;
-        if (kScramble == kScrambleFaure) digit = faureDigit(entry.w, digit);
-        if (kScramble == kScrambleDigit || kScramble == kScrambleOwen) {
-            uint node = mixBits(key);
-            key = kScramble == kScrambleOwen ? node ^ digit : node;
-            uint factor = 1u + (((node * 0x9e3779b9u) >> 16u) * (base.d - 1u) >> 16u);
-            digit = divide(factor * digit + multiplyHigh(node, base.d), base).y;
+    for (uint k = 0u; k < kMostDigits; k += kDigitsAtOnce) {
+        for (uint j = 0u; j < kDigitsAtOnce; ++j) {
+            uvec2 split = divide(rest, base);
+            rest = split.x;
+            uint digit = scrambledDigit(split.y, base, entry.w, key);
+            value = k + j < digits ? value * base.d + digit : value;
         }
-        value = value * base.d + digit;
     }
     return value * (entry.x >> 16u) + multiplyHigh(value, entry.z);
 }

@@ -4,7 +4,8 @@
 #include "samplers/bits.glsl"
 #include "samplers/random.glsl"
 
-// Element i of pseudo-random permutation p of 0 .. length.d - 1, by cycle walking. [Kensler 13, listing 3]
+// Element i of pseudo-random permutation p of 0 .. length.d - 1, by cycle walking. [Kensler 13, listing 3] There is
+// nothing to walk where the length is a power of two: the loop goes if the length is known to the compiler.
 uint permute(uint i, Divisor length, uint p) {
     uint w = length.d - 1u;
     w |= w >> 1u;
@@ -24,7 +25,7 @@ uint permute(uint i, Divisor length, uint p) {
         i = (i ^ ((i & w) >> 2u)) * 0xc860a3dfu;
         i &= w;
         i ^= i >> 5u;
-    } while (i >= length.d);
+    } while (length.d <= w && i >= length.d);
     return divide(i + p, length).y;
 }
 

@@ -133,6 +133,7 @@ VKPT_CONST uint kLuminanceGreen = 46871u;
 VKPT_CONST uint kLuminanceBlue = 4732u;
 VKPT_CONST uint kWideNodeLeafItems = 3u;   // a leaf holds 1 to 3 items
 
+VKPT_CONST float kBelowOne = 0.999999940395355224609375f;  // 1 - 2^-24
 VKPT_CONST float kPi = 3.14159265358979323846f;
 VKPT_CONST float kInvPi = 0.31830988618379067154f;
 VKPT_CONST float kDeltaAlpha = 1e-4f;      // a microfacet lobe below this alpha is a delta lobe

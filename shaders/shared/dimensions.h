@@ -16,8 +16,7 @@ VKPT_CONST uint kDimBounceStride = 16u;
 VKPT_CONST uint kDimLobe = 0u;      // which lobe of the BSDF
 VKPT_CONST uint kDimRoulette = 1u;  // Russian roulette; drawn as a pair with kDimLobe
 VKPT_CONST uint kDimBsdf = 2u;      // 2D: direction
-VKPT_CONST uint kDimLight = 4u;     // which light
-VKPT_CONST uint kDimLightPoint = 6u;  // 2D: position on the light
+VKPT_CONST uint kDimLight = 4u;     // 2D: which light, and the position on it
 
 #ifdef __cplusplus
 }  // namespace vkpt

@@ -122,4 +122,11 @@ double randomL2Wrapped(std::size_t n, std::size_t dims) {
     return root((power(1.5, dims) - power(4.0 / 3, dims)) / static_cast<double>(n));
 }
 
+double randomStar(std::size_t n) {
+    double sum = 0;
+    for (std::uint32_t seed = 0; seed < kRandomStarSets; ++seed)
+        sum += starDiscrepancy(samplePoints(SamplerId::Random, static_cast<std::uint32_t>(n), {0, 1}, seed)).value;
+    return sum / kRandomStarSets;
+}
+
 }  // namespace vkpt

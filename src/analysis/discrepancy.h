@@ -26,5 +26,9 @@ struct StarDiscrepancy {
 [[nodiscard]] double randomL2Star(std::size_t n, std::size_t dims);
 [[nodiscard]] double randomL2Centred(std::size_t n, std::size_t dims);
 [[nodiscard]] double randomL2Wrapped(std::size_t n, std::size_t dims);
+/// Star discrepancy of N independent uniform points of the plane, for which no closed form is known: the mean of
+/// kRandomStarSets sets. O(N^2).
+[[nodiscard]] double randomStar(std::size_t n);
+inline constexpr std::uint32_t kRandomStarSets = 32;
 
 }  // namespace vkpt

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "analysis/convergence.h"
 #include "analysis/discrepancy.h"
@@ -60,6 +61,15 @@ Study studyDiscrepancy(const StudyRequest& request) {
         study.table += fmt::format("{:<16}{:>8}{:>12}{:>12.6f}{:>12.6f}{:>12.6f}\n", name, n,
                                    std::isnan(star) ? "-" : fmt::format("{:.6f}", star), l2, centred, wrapped);
     };
+    std::map<std::size_t, double> starsOfRandom;
+    const auto starOfRandom = [&](std::size_t n) {
+        if (!starsOfRandom.contains(n)) starsOfRandom[n] = dims == 2 ? randomStar(n) : NAN;
+        return starsOfRandom[n];
+    };
+    const auto expectation = [&](std::size_t n) {
+        row("expect. random", n, starOfRandom(n), randomL2Star(n, dims), randomL2Centred(n, dims),
+            randomL2Wrapped(n, dims));
+    };
     PanelSheet sheet(dims == 2 ? request.samplers.size() : 0, 260, 4);
     std::size_t last = 0;
     for (std::size_t i = 0; i < request.samplers.size(); ++i) {
@@ -67,9 +77,7 @@ Study studyDiscrepancy(const StudyRequest& request) {
         const StarDiscrepancy star = p.dims == 2 ? starDiscrepancy(p) : StarDiscrepancy{NAN};
         const double l2 = l2Star(p), centred = l2Centred(p), wrapped = l2Wrapped(p);
         const std::size_t n = p.size();
-        if (last != 0 && n != last)
-            row("expect. random", last, NAN, randomL2Star(last, dims), randomL2Centred(last, dims),
-                randomL2Wrapped(last, dims));
+        if (last != 0 && n != last) expectation(last);
         last = n;
         row(request.samplers[i].name, n, star.value, l2, centred, wrapped);
         Json entry{{"sampler", request.samplers[i].name},
@@ -82,11 +90,11 @@ Study studyDiscrepancy(const StudyRequest& request) {
         entry["random"] = {{"l2Star", randomL2Star(n, dims)},
                            {"l2Centred", randomL2Centred(n, dims)},
                            {"l2Wrapped", randomL2Wrapped(n, dims)}};
+        if (p.dims == 2) entry["random"]["star"] = starOfRandom(n);
         study.json.push_back(std::move(entry));
         if (dims == 2) drawStarBox(sheet.drawing, sheet.panels[i], request.samplers[i].name, p, star);
     }
-    row("expect. random", last, NAN, randomL2Star(last, dims), randomL2Centred(last, dims),
-        randomL2Wrapped(last, dims));
+    expectation(last);
     study.drawing = std::move(sheet.drawing);
     return study;
 }

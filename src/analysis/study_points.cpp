@@ -1,6 +1,8 @@
 // Points, projections, and the table of radical inverses.
 #include <fmt/format.h>
 
+#include <array>
+
 #include "analysis/point_pictures.h"
 #include "analysis/studies.h"
 
@@ -92,9 +94,15 @@ Study studyProjections(const StudyRequest& request) {
 Study studyRadicalInverse(std::uint32_t base, std::uint32_t count) {
     constexpr std::string_view kDigits = "0123456789abcdefghijklmnopqrstuvwxyz";
     Study study{{{"base", base}, {"rows", Json::array()}}, {}, {}};
-    study.table = fmt::format("{:>6}  {:>12}  {:>14}  {}\n", "n", fmt::format("base {}", base), "inverse", "value");
-    study.drawing = {420, 50 + 18.0 * count, {}};
-    study.drawing.text(20, 26, fmt::format("n, its digits in base {}, and its radical inverse", base), 14);
+    constexpr double kColumns[] = {50, 150, 250, 360, 450};  // right edges
+    study.drawing = {480, 60 + 18.0 * count, {}};
+    study.drawing.text(20, 26, fmt::format("n in base {}, its digits from the lowest, its radical inverse", base), 14);
+    const auto addRow = [&](double y, const std::array<std::string, 5>& cells) {
+        study.table +=
+            fmt::format("{:>6}  {:>12}  {:>12}  {:>14}  {}\n", cells[0], cells[1], cells[2], cells[3], cells[4]);
+        for (std::size_t i = 0; i < cells.size(); ++i) study.drawing.text(kColumns[i], y, cells[i], 12, Align::Right);
+    };
+    addRow(50, {"n", fmt::format("base {}", base), "d1 d2 ...", "inverse", "value"});
     for (std::uint32_t n = 1; n <= count; ++n) {
         std::string digits;  // the lowest first: as they follow the point
         std::uint64_t numerator = 0, denominator = 1;
@@ -106,16 +114,12 @@ Study studyRadicalInverse(std::uint32_t base, std::uint32_t count) {
         const std::string number(digits.rbegin(), digits.rend());
         const std::string value = fmt::format("{}/{}", numerator, denominator);
         study.json["rows"].push_back({{"n", n},
-                                      {"digits", number},
+                                      {"number", number},
+                                      {"digits", digits},
                                       {"inverse", fraction(digits)},
                                       {"numerator", numerator},
                                       {"denominator", denominator}});
-        study.table += fmt::format("{:>6}  {:>12}  {:>14}  {}\n", n, number, fraction(digits), value);
-        const double y = 32 + 18.0 * n;
-        study.drawing.text(60, y, std::to_string(n), 12, Align::Right);
-        study.drawing.text(160, y, number, 12, Align::Right);
-        study.drawing.text(280, y, fraction(digits), 12, Align::Right);
-        study.drawing.text(380, y, value, 12, Align::Right);
+        addRow(50 + 18.0 * n, {std::to_string(n), number, digits, fraction(digits), value});
     }
     return study;
 }

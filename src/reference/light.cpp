@@ -15,9 +15,15 @@ glm::vec3 lightNormal(const LightRecord& light) {
 
 }  // namespace
 
-std::optional<LightSample> Lights::sample(const glm::vec3& from, float uLight, const Vec2<float>& u) const {
-    const LightRecord& light = scene_.lights[sampleTable(scene_.lightCdf, uLight).index];
+std::optional<LightSample> Lights::sample(const glm::vec3& from, glm::uvec2 bits) const {
+    const std::vector<float>& cdf = scene_.lightCdf;
+    const std::uint32_t chosen = sampleTable(cdf, toUnit(bits.x)).index;
+    const LightRecord& light = scene_.lights[chosen];
     if (light.pmf <= 0) return std::nullopt;
+    // How far bits.x lies into the interval that chose, all its 32 bits counted. [Shirley 96]
+    const float begin = chosen == 0 ? 0 : cdf[chosen - 1];
+    const float into = (toUnit(bits.x) - begin + static_cast<float>(bits.x % 256) * 0x1p-32F) / (cdf[chosen] - begin);
+    const Vec2<float> u{std::min(into, kBelowOne), toUnit(bits.y)};
     if (light.kind <= kLightTriangleTwoSided) return sampleTriangle(light, from, u);
     if (light.kind == kLightEnvironment) return sampleEnvironment(light, u);
     return samplePunctual(light, from);

@@ -25,8 +25,8 @@ public:
     [[nodiscard]] bool empty() const { return scene_.lights.empty(); }
     [[nodiscard]] const Environment& environment() const { return environment_; }
 
-    /// Chooses a light by `uLight` and a direction to it by `u`. Nothing where no light comes from there.
-    [[nodiscard]] std::optional<LightSample> sample(const glm::vec3& from, float uLight, const Vec2<float>& u) const;
+    /// Chooses a light, and a direction to it, by two sampler values. Nothing where no light comes from there.
+    [[nodiscard]] std::optional<LightSample> sample(const glm::vec3& from, glm::uvec2 bits) const;
 
     /// Density of sample() for a ray of unit direction `d` that met a triangle light at distance t.
     [[nodiscard]] float pdfTriangle(const LightRecord& light, const glm::vec3& d, float t) const;

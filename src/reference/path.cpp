@@ -90,9 +90,7 @@ private:
     /// Next event estimation.
     [[nodiscard]] std::optional<DirectLight> sampleLight(const Scattering& at) const {
         if (lights_.empty() || !hasDensity(at.bsdf, at.wo)) return std::nullopt;
-        const PathSample& sample = state_.sample;
-        const auto light = lights_.sample(point_.position, sample.get1D(dimension(kDimLight)),
-                                          sample.get2D(dimension(kDimLightPoint)));
+        const auto light = lights_.sample(point_.position, state_.sample.bits2D(dimension(kDimLight)));
         if (!light) return std::nullopt;
         const glm::vec3 wi = at.frame.toLocal(light->wi);
         if (!isConsistent(wi, light->wi)) return std::nullopt;

@@ -37,6 +37,7 @@ struct PathSample {
     SamplerBits bits;
     SampleId id;
 
+    [[nodiscard]] glm::uvec2 bits2D(std::uint32_t dim) const { return {bits(id, dim), bits(id, dim + 1)}; }
     [[nodiscard]] float get1D(std::uint32_t dim) const { return toUnit(bits(id, dim)); }
     [[nodiscard]] Vec2<float> get2D(std::uint32_t dim) const { return {get1D(dim), get1D(dim + 1)}; }
 };

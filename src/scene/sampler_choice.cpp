@@ -31,6 +31,7 @@ std::uint64_t primeSquare(std::uint64_t n) {
 std::uint64_t roundedCount(SampleCounts counts, std::uint64_t spp) {
     switch (counts) {
         case SampleCounts::Any:
+        case SampleCounts::Set:
             return spp;
         case SampleCounts::Grid:
             return spp <= kLargestSet ? roundUp(spp, integerRoot(spp)) : roundUp(spp, kLargestSet);
@@ -83,6 +84,7 @@ std::uint32_t sampleCount(SamplerId sampler, std::uint32_t spp) {
 std::string_view countsText(SampleCounts counts) {
     switch (counts) {
         case SampleCounts::Any:
+        case SampleCounts::Set:
             return "";
         case SampleCounts::Grid:
             return "a grid of strata";

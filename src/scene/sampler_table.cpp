@@ -17,13 +17,6 @@ std::vector<std::uint32_t> packed(const Numbers& numbers, unsigned bitsEach) {
     return words;
 }
 
-/// The least prime that is not below n, for n from 0 to the root of kLargestPrimeSet.
-std::vector<std::uint32_t> boseTable() {
-    std::vector<std::uint32_t> levels;
-    for (std::uint32_t n = 0; n * n <= kLargestPrimeSet; ++n) levels.push_back(primeFrom(n));
-    return packed(levels, 8);
-}
-
 /// b | K << 11 | upper half of M << 16, floor((2^32 - 1) / b), lower half of M, first element of Faure's permutation.
 void appendBase(std::vector<std::uint32_t>& table, std::uint32_t base, std::uint32_t faureFirst) {
     std::uint32_t digits = 0;
@@ -71,8 +64,6 @@ std::vector<std::uint32_t> samplerTable(SamplerChoice sampler) {
     switch (sampler.id) {
         case SamplerId::Sobol:
             return sobolDirections();
-        case SamplerId::Orthogonal:
-            return boseTable();
         case SamplerId::Halton:
         case SamplerId::Hammersley:
             return radicalInverseTable(sampler.scramble);

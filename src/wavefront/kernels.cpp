@@ -42,7 +42,9 @@ std::vector<std::uint32_t> specializationOf(const SceneFeatures& f, const SceneH
             options.film.firstWord(Layer::Position),
             options.film.firstWord(Layer::Uv),
             options.film.firstWord(Layer::Ids),
-            options.film.firstWord(Layer::Luminance)};
+            options.film.firstWord(Layer::Luminance),
+            options.setSamples,
+            options.manyDimensions};
 }
 
 WavefrontKernels::WavefrontKernels(Device& device, const SpirvSource& spirv,

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "dimensions.h"
 #include "gpu/device.h"
 #include "gpu/memory_plan.h"
 #include "gpu/recorder.h"
@@ -62,6 +63,16 @@ bool useTexels(const Device& device, WavefrontConfig::Fetch fetch, std::size_t b
 /// Path state is read through texels where kernels run on the CPU: a load takes a third of the time there.
 bool useStateTexels(const Device& device, WavefrontConfig::Fetch fetch, std::size_t bytes) {
     return fetch != WavefrontConfig::Fetch::Storage && device.info().isCpu && TexelView::fits(device, bytes);
+}
+
+/// What kernels that know N fold: grids of strata, their reciprocals, lengths of loops.
+std::uint32_t setSamples(const RenderOptions& options) {
+    return samplerInfo(options.sampler.id).counts == SampleCounts::Any ? 0 : options.params.spp;
+}
+
+/// One beyond the last dimension that its paths may draw.
+std::uint64_t dimensionsOf(const RenderOptions& options) {
+    return kDimBounce + (std::uint64_t{options.params.maxDepth} + 1) * kDimBounceStride;
 }
 
 }  // namespace
@@ -140,6 +151,8 @@ WavefrontRenderer::Impl::Impl(const SceneArrays& arrays, const RenderOptions& re
               specializationOf(arrays.features, layout.header,
                                {.sampler = options.sampler,
                                 .lastIndex = std::max(options.params.spp, 1U) - 1,
+                                .setSamples = setSamples(options),
+                                .manyDimensions = dimensionsOf(options) > kHaltonDimensions,
                                 .fetchTexel = texels,
                                 .useBallot = ballot,
                                 .stateTexel = stateTexel,

@@ -108,6 +108,12 @@ TEST(L2Discrepancies, OfRandomPointsAreExpectedToBeThat) {
     }
 }
 
+// Of N random points it falls with the root of N; root(N) times it is about 1.3 in the plane.
+TEST(StarDiscrepancy, OfRandomPointsFallsWithTheRoot) {
+    EXPECT_NEAR(randomStar(64) * 8, 1.3, 0.25);
+    EXPECT_NEAR(randomStar(1024) * 32, 1.3, 0.25);
+}
+
 TEST(StarDiscrepancy, HammersleyBelowHaltonBelowJitteredBelowRandom) {
     const auto mean = [](SamplerChoice sampler) {
         double sum = 0;

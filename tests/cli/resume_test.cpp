@@ -21,16 +21,18 @@ protected:
         words.insert(words.end(), more.begin(), more.end());
         return words;
     }
+
+    void killAndResume(int kills);
 };
 
-TEST_P(ResumeOn, KilledAtRandomMomentsItEndsAsAnUndisturbedRun) {
+void ResumeOn::killAndResume(int kills) {
     const auto start = std::chrono::steady_clock::now();
     ASSERT_EQ(run(longRender({"-o", "whole.exr"})).code, 0);
     const auto whole = std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - start);
     const Words words = longRender({"--resume", "r.exr", "--checkpoint", "0", "--verbose"});
     std::mt19937 random(std::random_device{}());
     int killed = 0, left = 0;
-    for (int i = 0; i < 4; ++i) {  // twice soon after a save, twice at any time
+    for (int i = 0; i < kills; ++i) {  // in turn soon after a save and at any time
         RunOptions kill{.interruptAfter = i % 2 == 0 ? "saved samples" : "", .signal = SIGKILL};
         kill.delay = std::chrono::milliseconds(random() % (i % 2 == 0 ? 20 : whole.count() + 1));
         const RunResult r = run(words, kill);
@@ -53,6 +55,9 @@ TEST_P(ResumeOn, KilledAtRandomMomentsItEndsAsAnUndisturbedRun) {
     ASSERT_EQ(run(words).code, 0);
     expectSameFile("r.exr", "whole.exr");
 }
+
+TEST_P(ResumeOn, KilledAtRandomMomentsItEndsAsAnUndisturbedRun) { killAndResume(2); }
+TEST_P(ResumeOn, FullKilledOftenItEndsAsAnUndisturbedRun) { killAndResume(12); }
 
 INSTANTIATE_TEST_SUITE_P(Backends, ResumeOn, testing::Values("cpu", "vulkan"));
 

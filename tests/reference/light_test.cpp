@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <glm/gtc/matrix_transform.hpp>
+#include <set>
 
 #include "reference/hash.h"
 #include "reference/lights/punctual.h"
@@ -19,6 +20,11 @@ using test::SceneBuilder;
 Vec2<float> randomSquare(std::uint32_t i) {
     const glm::uvec4 h = hash({i, 0, 0, 43});
     return {toUnit(h.x), toUnit(h.y)};
+}
+
+glm::uvec2 randomBits(std::uint32_t i, std::uint32_t stream) {
+    const glm::uvec4 h = hash({i, stream, 2, 2});
+    return {h.x, h.y};
 }
 
 TEST(SampleTable, TakesTheFirstIntervalThatHoldsU) {
@@ -171,11 +177,33 @@ TEST(Lights, ChoosesByPowerAndTellsTheProbability) {
     double near = 0;
     constexpr std::uint32_t kDraws = 20000;
     for (std::uint32_t i = 0; i < kDraws; ++i) {
-        const auto s = lights.sample({0, 0, 2}, toUnit(hash({i, 2, 2, 2}).x), randomSquare(i));
+        const auto s = lights.sample({0, 0, 2}, randomBits(i, 2));
         ASSERT_TRUE(s);
         near += s->end.z > -1 ? 1 : 0;
     }
     EXPECT_NEAR(near / kDraws, 0.1, 4 * std::sqrt(0.09 / kDraws));  // areas 4 and 36
+}
+
+// The number that chooses is used again, all its 32 bits: the point fills each light, however small its share.
+TEST(Lights, OnePairOfNumbersPlacesPointsAllOverEveryLight) {
+    SceneBuilder builder;
+    builder.material(test::emitter(glm::vec3(1)));
+    builder.quad(0, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}).quad(0, {0, 0, 0}, {1e-4F, 0, 0}, {0, 1e-4F, 0});
+    const SceneArrays scene = builder.build();
+    const Lights lights(scene);
+    for (std::uint32_t i = 0; i < 4; ++i) {
+        const double begin = i == 0 ? 0 : double{scene.lightCdf[i - 1]}, share = double{scene.lightCdf[i]} - begin;
+        std::set<std::pair<int, int>> cells;
+        for (int k = 0; k < 64; ++k) {  // of the barycentric (b0, b1): steps of 1/16 along the light's share
+            const auto bits = static_cast<std::uint32_t>((begin + share * (k % 16 + 0.5) / 16) * 0x1p32);
+            const auto s = lights.sample({0, 0, 2}, {bits, static_cast<std::uint32_t>(k / 16) << 30U | 1U << 29U});
+            ASSERT_TRUE(s);
+            const LightRecord& light = scene.lights[i];
+            const glm::vec3 e = (s->end - light.a) / glm::distance(light.a, light.b);
+            cells.insert({static_cast<int>(std::lround(e.x * 64)), static_cast<int>(std::lround(e.y * 64))});
+        }
+        EXPECT_EQ(cells.size(), 64U) << "light " << i;
+    }
 }
 
 // 1/pdf is the inverse of a density in solid angle: its mean is the solid angle of the light.
@@ -190,7 +218,7 @@ TEST(Lights, TriangleDensityMeasuresSolidAngle) {
     double mean = 0;
     constexpr std::uint32_t kDraws = 50000;
     for (std::uint32_t i = 0; i < kDraws; ++i) {
-        const auto s = lights.sample({0, 0, 1}, toUnit(hash({i, 3, 2, 2}).x), randomSquare(i));
+        const auto s = lights.sample({0, 0, 1}, randomBits(i, 3));
         ASSERT_TRUE(s);
         EXPECT_EQ(s->radiance, glm::vec3(2));
         mean += 1 / double{s->pdf} / kDraws;
@@ -200,7 +228,7 @@ TEST(Lights, TriangleDensityMeasuresSolidAngle) {
         EXPECT_GT(s->end.z, 0) << "the end is offset to the receiver's side";
     }
     EXPECT_NEAR(mean, truth, 0.01);
-    EXPECT_FALSE(lights.sample({0, 0, -1}, 0.3F, {0.3F, 0.3F})) << "behind a one-sided light";
+    EXPECT_FALSE(lights.sample({0, 0, -1}, {0x50000000U, 0x50000000U})) << "behind a one-sided light";
 }
 
 TEST(Lights, TwoSidedLightsShineBack) {
@@ -209,7 +237,7 @@ TEST(Lights, TwoSidedLightsShineBack) {
     m.doubleSided = true;
     builder.material(m);
     const SceneArrays scene = builder.quad(0, {-1, -1, 0}, {2, 0, 0}, {0, 2, 0}).build();
-    const auto s = Lights(scene).sample({0, 0, -1}, 0.3F, {0.3F, 0.3F});
+    const auto s = Lights(scene).sample({0, 0, -1}, {0x50000000U, 0x50000000U});
     ASSERT_TRUE(s);
     EXPECT_LT(s->end.z, 0);
     EXPECT_GT(s->pdf, 0);
@@ -223,7 +251,7 @@ TEST(Lights, PunctualLightsGiveTheirIrradiance) {
     point.worldFromLight = glm::translate(glm::mat4(1), glm::vec3(0, 0, 2));
     builder.quad(0, {-1, -1, 0}, {2, 0, 0}, {0, 2, 0}).light(point);
     const SceneArrays scene = builder.build();
-    const auto s = Lights(scene).sample({0, 0, 0}, 0.5F, {0, 0});
+    const auto s = Lights(scene).sample({0, 0, 0}, {0x80000000U, 0});
     ASSERT_TRUE(s);
     EXPECT_TRUE(s->punctual);
     EXPECT_EQ(s->radiance / s->pdf, glm::vec3(2, 1, 0.5F));

@@ -52,8 +52,8 @@ TEST(EverySampler, EqualsWorkedValues) {
         {SamplerId::Lhs, id, 10, 0x421c045fU},
         {SamplerId::Multijittered, id, 11, 0xb23f5d09U},
         {SamplerId::Cmj, id, 10, 0x721c045fU},
-        {SamplerId::Orthogonal, id, 10, 0x1ebc4e7aU},
-        {SamplerId::Orthogonal, {pack(3, 5), 130, 64, 11}, 13, 0xfbca8b44U},
+        {SamplerId::Orthogonal, {pack(3, 5), 7, 121, 11}, 10, 0x1ebc4e7aU},
+        {SamplerId::Orthogonal, {pack(3, 5), 130, 121, 11}, 13, 0xfbca8b44U},
         {SamplerId::Halton, id, 10, 0x2ff59dedU},
         {{SamplerId::Halton, ScrambleId::Digit}, id, 10, 0x2a487cd0U},
         {{SamplerId::Halton, ScrambleId::None}, id, 10, 0x39ce739cU},
@@ -139,10 +139,11 @@ TEST_P(RegisteredSampler, IsUniformOverPixelsAndSeeds) {
     const SamplerBits bits = samplerBits(GetParam().id);
     constexpr std::size_t kCells = 64;
     constexpr std::uint32_t kDraws = 65536;
+    const std::uint32_t spp = sampleCount(GetParam().id, 16);
     for (const std::uint32_t dim : {0U, 1U, 10U, 29U, 4000U}) {
         std::vector<double> counts(kCells * kCells), expected(kCells * kCells, double{kDraws} / (kCells * kCells));
         for (std::uint32_t i = 0; i < kDraws; ++i) {
-            const SampleId id{pack(i & 127U, i >> 7U & 127U), 3, 16, i >> 14U};
+            const SampleId id{pack(i & 127U, i >> 7U & 127U), 3, spp, i >> 14U};
             counts[(bits(id, dim) >> 26U) * kCells + (bits(id, dim + 1) >> 26U)] += 1;
         }
         EXPECT_LT(test::chiSquareDeviate(counts, expected), 4) << "dimension " << dim;

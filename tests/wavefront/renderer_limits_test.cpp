@@ -1,7 +1,7 @@
 // Nothing is cut short: many samples, many triangles, many bounces, films beyond one buffer.
 #include "reference/render.h"
-#include "wavefront/render_helpers.h"
 #include "verify/inputs/scenes.h"
+#include "wavefront/render_helpers.h"
 
 namespace vkpt {
 namespace {
@@ -32,6 +32,19 @@ TEST(RendererLimits, DepthsBeyondOneSubmissionTraceEveryBounce) {
             << depth;
         EXPECT_GT(stats.pathRays, stats.paths * depth / 2) << "paths ended early";
         EXPECT_LE(divergedShare(film, expected), 0.02 + 0.002 * depth);
+    }
+}
+
+// Kernels that know that paths stay below the dimensions where bases repeat take six digits only: depths on both sides.
+TEST(RendererLimits, HaltonsBasesRepeatInDeepPathsAsTheReferencesDo) {
+    const SceneArrays arrays = makeFurnace();
+    for (const auto& [sampler, depth] :
+         {std::pair{SamplerId::Halton, 14U}, {SamplerId::Halton, 15U}, {SamplerId::Hammersley, 15U}}) {
+        RenderOptions options = makeOptions(16, 8, 2);
+        options.sampler = sampler;
+        options.params.maxDepth = depth;
+        options.params.rrMode = kRouletteOff;
+        EXPECT_LE(divergedShare(renderWith(arrays, options), renderReference(arrays, options)), 0.05) << depth;
     }
 }
 

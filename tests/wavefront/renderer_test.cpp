@@ -4,8 +4,8 @@
 #include "base/error.h"
 #include "bvh/build.h"
 #include "reference/render.h"
-#include "wavefront/render_helpers.h"
 #include "verify/inputs/scenes.h"
+#include "wavefront/render_helpers.h"
 
 namespace vkpt {
 namespace {
@@ -45,20 +45,26 @@ TEST(Renderer, SlotsBatchesAndCompactionDoNotChangeTheFilm) {
     EXPECT_TRUE(isSame(film, renderWith(arrays, options, config)));
 }
 
-TEST(Renderer, RangesOfSamplesAddUpToTheWhole) {
+void expectRangesToAddUp(SamplerId sampler) {
     const SceneArrays arrays = makeEverything();
-    for (const SamplerInfo& sampler : kSamplers) {
-        SCOPED_TRACE(sampler.name);
-        RenderOptions options = makeOptions(24, 20, 16);
-        options.sampler = sampler.id;
-        const Film whole = renderWith(arrays, options);
-        options.sampleEnd = 8;
-        Film sum = renderWith(arrays, options);
-        options.sampleBegin = 8;
-        options.sampleEnd = 16;
-        addFilm(sum, renderWith(arrays, options));
-        EXPECT_TRUE(isSame(sum, whole));
-    }
+    RenderOptions options = makeOptions(24, 20, 16);
+    options.sampler = sampler;
+    WavefrontRenderer renderer(arrays, options, makeConfig());
+    const Film whole = renderer.render({});
+    renderer.select(options.params.seed, 0, 8);
+    Film sum = renderer.render({});
+    renderer.select(options.params.seed, 8, 16);
+    addFilm(sum, renderer.render({}));
+    EXPECT_TRUE(isSame(sum, whole)) << samplerName(sampler);
+}
+
+TEST(Renderer, RangesOfSamplesAddUpToTheWhole) {
+    for (const SamplerId sampler : {SamplerId::Random, SamplerId::Sobol, SamplerId::Zsobol})
+        expectRangesToAddUp(sampler);
+}
+
+TEST(Renderer, FullRangesOfSamplesAddUpToTheWholeWithEverySampler) {
+    for (const SamplerInfo& sampler : kSamplers) expectRangesToAddUp(sampler.id);
 }
 
 TEST(Renderer, RendersAgainWithTheSameResult) {
@@ -111,25 +117,33 @@ struct Length {
     std::uint32_t maxDepth, rrMode;
 };
 
-TEST(Renderer, OneSampleEqualsReferenceAtEveryDepthAndRoulette) {
-    for (const bool instances : {false, true}) {
-        const SceneArrays arrays = makeEverything(instances);
-        for (const Length& length :
-             {Length{0, kRouletteThroughput}, Length{1, kRouletteOff}, Length{2, kRouletteOff},
-              Length{8, kRouletteThroughput}, Length{8, kRouletteFixed}, Length{40, kRouletteOff}}) {
-            SCOPED_TRACE(testing::Message() << "depth " << length.maxDepth << " roulette " << length.rrMode
-                                            << (instances ? " with instances" : ""));
-            RenderOptions options = makeOptions(64, 48, 1);
-            options.params.maxDepth = length.maxDepth;
-            options.params.rrMode = length.rrMode;
-            options.params.rrDepth = 1;
-            options.params.rrFixed = 0.75F;
-            const Film film = renderWith(arrays, options), reference = renderReference(arrays, options);
-            EXPECT_LE(divergedShare(film, reference), 0.01);
-            for (std::size_t i = 0; i < film.sums.size(); ++i)
-                ASSERT_EQ(film.sums[i].red.w, reference.sums[i].red.w) << "alpha of pixel " << i;
-        }
+void expectOneSampleEqualsReference(bool instances, const std::vector<Length>& lengths) {
+    const SceneArrays arrays = makeEverything(instances);
+    for (const Length& length : lengths) {
+        SCOPED_TRACE(testing::Message() << "depth " << length.maxDepth << " roulette " << length.rrMode
+                                        << (instances ? " with instances" : ""));
+        RenderOptions options = makeOptions(64, 48, 1);
+        options.params.maxDepth = length.maxDepth;
+        options.params.rrMode = length.rrMode;
+        options.params.rrDepth = 1;
+        options.params.rrFixed = 0.75F;
+        const Film film = renderWith(arrays, options), reference = renderReference(arrays, options);
+        EXPECT_LE(divergedShare(film, reference), 0.01);
+        for (std::size_t i = 0; i < film.sums.size(); ++i)
+            ASSERT_EQ(film.sums[i].red.w, reference.sums[i].red.w) << "alpha of pixel " << i;
     }
+}
+
+const std::vector<Length> kLengths{{0, kRouletteThroughput}, {1, kRouletteOff},   {2, kRouletteOff},
+                                   {8, kRouletteThroughput}, {8, kRouletteFixed}, {40, kRouletteOff}};
+
+TEST(Renderer, OneSampleEqualsReference) {
+    expectOneSampleEqualsReference(false, {{1, kRouletteOff}, {40, kRouletteOff}});
+    expectOneSampleEqualsReference(true, {{8, kRouletteThroughput}, {8, kRouletteFixed}});
+}
+
+TEST(Renderer, FullOneSampleEqualsReferenceAtEveryDepthAndRoulette) {
+    for (const bool instances : {false, true}) expectOneSampleEqualsReference(instances, kLengths);
 }
 
 TEST(Renderer, DepthZeroIsEmissionAlone) {

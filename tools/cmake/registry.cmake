@@ -104,8 +104,8 @@ enum class ScrambleId : std::uint32_t {
     Owen = kScrambleOwen,
 };
 
-/// Numbers of samples that a sampler's sets can have.
-enum class SampleCounts : std::uint32_t { Any, Grid, Prime2, Power2 };
+/// Numbers of samples that a sampler's sets can have. Any: points do not depend on their number; else they do.
+enum class SampleCounts : std::uint32_t { Any, Set, Grid, Prime2, Power2 };
 
 struct SamplerInfo {
     SamplerId id;

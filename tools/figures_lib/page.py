@@ -20,9 +20,10 @@ td:first-child,th:first-child{text-align:left}p{max-width:48rem}"""
 def figure(plot):
     """The matplotlib figure as an image element; closes it."""
     data = io.BytesIO()
+    alternative = html.escape("; ".join(filter(None, (axes.get_title() for axes in plot.axes))), quote=True)
     plot.savefig(data, format="png", dpi=110, bbox_inches="tight")
     plt.close(plot)
-    return f'<img alt="" src="data:image/png;base64,{base64.b64encode(data.getvalue()).decode()}">'
+    return f'<img alt="{alternative}" src="data:image/png;base64,{base64.b64encode(data.getvalue()).decode()}">'
 
 
 def table(header, rows):

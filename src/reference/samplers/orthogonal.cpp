@@ -2,16 +2,15 @@
 // one sample a cell of the p x p grid, of every dimension one a row of p^2.
 #include "reference/samplers/bits.h"
 #include "reference/samplers/strata.h"
-#include "scene/primes.h"
 
 namespace vkpt::reference {
 
 namespace {
 
+/// The root of N, which is the square of a prime.
 std::uint32_t levelsFor(std::uint32_t spp) {
-    const std::uint32_t samples = std::min(spp, kLargestPrimeSet);
-    std::uint32_t p = 2;
-    while (p * p < samples) p = primeFrom(p + 1);
+    std::uint32_t p = 1;
+    while ((p + 1) * (p + 1) <= std::min(spp, kLargestPrimeSet)) ++p;
     return p;
 }
 
@@ -31,7 +30,7 @@ std::uint32_t shuffleLevel(std::uint32_t level, std::uint32_t p, std::uint32_t k
 
 std::uint32_t orthogonalBits(SampleId id, std::uint32_t dim) {
     const std::uint32_t p = levelsFor(id.spp);
-    const std::uint32_t columns = p == 2 ? 2 : p + 1;
+    const std::uint32_t columns = (p + 1) / 2 * 2;  // whole pairs
     const std::uint32_t j = dim % columns, partner = j ^ 1U;
     const auto [element, round] = elementOf(id.index, p * p);
     const glm::uvec4 key = samplerKey(id.pixel, dim / columns, id.seed, round);

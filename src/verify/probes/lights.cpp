@@ -13,8 +13,8 @@ namespace {
 
 struct In {
     glm::vec3 from;
-    float uLight;
-    glm::vec4 u;
+    float unused = 0;
+    glm::uvec4 bits{0};
 };
 struct Out {
     glm::vec3 wi;
@@ -29,12 +29,12 @@ std::vector<In> pointsAmong(int count, std::uint32_t seed) {
     std::vector<In> inputs;
     RandomInputs random(seed);
     for (int i = 0; i < count; ++i)
-        inputs.push_back({random.inBox({-3, 0, -3}, {3, 3, 3}), random.unit(), glm::vec4(random.square(), 0, 0)});
+        inputs.push_back({random.inBox({-3, 0, -3}, {3, 3, 3}), 0, {random.bits(), random.bits(), 0, 0}});
     return inputs;
 }
 
 const LightRecord& chosenLight(const SceneArrays& arrays, const In& in) {
-    return arrays.lights[reference::sampleTable(arrays.lightCdf, in.uLight).index];
+    return arrays.lights[reference::sampleTable(arrays.lightCdf, reference::toUnit(in.bits.x)).index];
 }
 
 /// Cosine at a triangle light towards the point.
@@ -67,14 +67,14 @@ Lit compareSamples(Prober& prober, Findings& findings, const SceneArrays& arrays
     Lit lit{};
     const reference::Lights lights(arrays);
     const auto scope = findings.inputs([&](std::size_t i) {
-        return fmt::format("sampleLight from {}, uLight {}, u {}, a light of kind {}", show(inputs[i].from),
-                           inputs[i].uLight, show(glm::vec2(inputs[i].u)), chosenLight(arrays, inputs[i]).kind);
+        return fmt::format("sampleLight from {}, bits {:#x} {:#x}, a light of kind {}", show(inputs[i].from),
+                           inputs[i].bits.x, inputs[i].bits.y, chosenLight(arrays, inputs[i]).kind);
     });
     const auto out = ProbeScene(prober, arrays).evaluate<Out>(findings, "lights", inputs);
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         findings.at(i);
         const LightRecord& light = chosenLight(arrays, inputs[i]);
-        const auto expected = lights.sample(inputs[i].from, inputs[i].uLight, glm::vec2(inputs[i].u));
+        const auto expected = lights.sample(inputs[i].from, inputs[i].bits);
         if (!expected) {
             findings.holds("no light", out[i].radiance == glm::vec3(0) || out[i].pdf <= 0, "there is some");
             continue;
@@ -91,7 +91,7 @@ void compareEveryKind(Prober& prober, Findings& findings) {
     RandomInputs random(40);
     for (int i = 0; i < 24; ++i) map.texels.push_back(random.inBox({0, 0, 0}, {1, 1, 1}));
     addEnvironment(arrays, map, 3, 25);
-    const Lit lit = compareSamples(prober, findings, arrays, pointsAmong(12000, 41));
+    const Lit lit = compareSamples(prober, findings, arrays, pointsAmong(16000, 41));
     for (const int count : lit) findings.atLeast("samples lit by each kind", count, 31);
 }
 
@@ -112,11 +112,9 @@ void compareSingleLights(Prober& prober, Findings& findings) {
 void compareShares(Prober& prober, Findings& findings) {
     const SceneArrays arrays = makeArrays(makeLamps());
     std::vector<In> inputs;
-    const int count = 1 << 14;
-    for (int i = 0; i < count; ++i)
-        inputs.push_back(
-            {{0, 0.5F, 0}, static_cast<float>(i) / static_cast<float>(count), glm::vec4(0.3F, 0.4F, 0, 0)});
-    const auto scope = findings.inputs([](std::size_t) { return std::string("uLight over [0, 1)"); });
+    constexpr std::uint32_t count = 1U << 14U;
+    for (std::uint32_t i = 0; i < count; ++i) inputs.push_back({{0, 0.5F, 0}, 0, {i << 18U, 0x60000000U, 0, 0}});
+    const auto scope = findings.inputs([](std::size_t) { return std::string("the first number over [0, 1)"); });
     const auto out = ProbeScene(prober, arrays).evaluate<Out>(findings, "lights", inputs);
     double spots = 0, expected = 0;  // delta lights: what pdf reports is the pmf itself
     for (const Out& o : out) spots += o.delta != 0 ? 1 : 0;

@@ -17,7 +17,7 @@ struct Constants {
 using Named = std::pair<const char*, std::uint32_t>;
 
 /// All constants by name, in the order in which the probe writes them.
-std::array<Named, 28> namesAndValues(const Constants& c) {
+std::array<Named, 30> namesAndValues(const Constants& c) {
     const auto& [f, h, o] = c;
     const auto flag = [](bool b) { return b ? 1U : 0U; };
     return {Named{"kSampler", static_cast<std::uint32_t>(o.sampler.id)},
@@ -47,7 +47,9 @@ std::array<Named, 28> namesAndValues(const Constants& c) {
             {"kPositionWord", o.film.firstWord(Layer::Position)},
             {"kUvWord", o.film.firstWord(Layer::Uv)},
             {"kIdsWord", o.film.firstWord(Layer::Ids)},
-            {"kLuminanceWord", o.film.firstWord(Layer::Luminance)}};
+            {"kLuminanceWord", o.film.firstWord(Layer::Luminance)},
+            {"kSetSamples", o.setSamples},
+            {"kManyDimensions", flag(o.manyDimensions)}};
 }
 
 /// Round `bit` of a set in which no two flags are the same in all rounds; the numbers differ in any.
@@ -57,7 +59,7 @@ Constants makeConstants(std::uint32_t bit) {
     std::uint32_t number = 0;
     for (bool* flag :
          {&f.instances, &f.alpha, &f.textureTransforms, &f.vertexExtras, &f.triangleLights, &f.texturedEmission,
-          &f.punctualLights, &f.environment, &f.unlit, &o.fetchTexel, &o.useBallot, &o.stateTexel})
+          &f.punctualLights, &f.environment, &f.unlit, &o.fetchTexel, &o.useBallot, &o.stateTexel, &o.manyDimensions})
         *flag = (++number >> bit & 1U) != 0;
     f.maps = 13;
     f.mapSets = 9;
@@ -66,6 +68,7 @@ Constants makeConstants(std::uint32_t bit) {
     h.envWidth = 4000;
     o.sampler = {static_cast<SamplerId>(7), static_cast<ScrambleId>(5)};
     o.lastIndex = 0xabc;  // three hexadecimal digits
+    o.setSamples = 77;
     if (bit % 2 == 0) o.film = FilmLayout(kAllAovs);
     return c;
 }
@@ -73,12 +76,12 @@ Constants makeConstants(std::uint32_t bit) {
 }  // namespace
 
 void checkSpecialization(VerifyContext& context, Findings& findings) {
-    constexpr std::uint32_t kRounds = 4;  // 12 flags
+    constexpr std::uint32_t kRounds = 4;  // 13 flags
     for (std::uint32_t round = 0; round < kRounds; ++round) {
         const Constants constants = makeConstants(round);
         ProbeOptions options;
         options.specialization = specializationOf(constants.features, constants.header, constants.options);
-        const auto read = context.prober().evaluate<std::array<std::uint32_t, 28>>(
+        const auto read = context.prober().evaluate<std::array<std::uint32_t, 32>>(
             "specialization", std::vector<glm::uvec4>(1), options)[0];
         const auto expected = namesAndValues(constants);
         const auto scope = findings.inputs([&](std::size_t i) { return std::string(expected[i].first); });

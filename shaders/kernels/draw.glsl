@@ -1,0 +1,7 @@
+// Random numbers of a path, for kernels that draw some. Before they include this they define kFirstDimension, the lowest
+// dimension that they draw.
+#include "samplers.glsl"
+
+vec2 toUnit(uvec2 bits) { return vec2(toUnit(bits.x), toUnit(bits.y)); }
+vec2 samplePath2D(SampleId id, uint dim) { return toUnit(samplerPair(id, dim >> 1u)); }  // dim is even
+uint bounceDimension(uint dim) { return kDimBounce + batch.bounce * kDimBounceStride + dim; }
