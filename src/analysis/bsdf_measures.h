@@ -31,10 +31,14 @@ struct BsdfDraws {
 
 [[nodiscard]] BsdfDraws drawBsdf(const BsdfDouble& b, const glm::dvec3& wo, std::uint32_t count, std::uint32_t seed);
 
-/// Chi-square test of the directions drawn against the density, on a grid of cells over the sphere and one for the
-/// draws without a direction or of a delta lobe.
-[[nodiscard]] TestResult testBsdfDraws(const BsdfDouble& b, const glm::dvec3& wo, std::uint32_t count,
-                                       std::uint32_t seed);
+/// Chi-square test of the directions that `b` draws against the density of `claimed`, on a grid of cells over the
+/// sphere. Draws without a direction and delta lobes are left out: their share is what the density lacks to 1.
+[[nodiscard]] TestResult testBsdfDraws(const BsdfDouble& b, const BsdfDouble& claimed, const glm::dvec3& wo,
+                                       std::uint32_t count, std::uint32_t seed);
+[[nodiscard]] inline TestResult testBsdfDraws(const BsdfDouble& b, const glm::dvec3& wo, std::uint32_t count,
+                                              std::uint32_t seed) {
+    return testBsdfDraws(b, b, wo, count, seed);
+}
 
 /// Largest |f(wo, wi) - f(wi, wo)| / (f(wo, wi) + f(wi, wo)) of `pairs` pairs; f times eta where light goes through.
 /// `back` is the BSDF seen from its other side, where it transmits.
