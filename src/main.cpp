@@ -18,8 +18,8 @@ namespace {
 
 using namespace vkpt;
 
-constexpr std::array kCommands{&kRenderCommand, &kMergeCommand,   &kVerifyCommand, &kDiffCommand,
-                               &kInfoCommand,   &kDevicesCommand, &kBenchCommand,  &kSamplesCommand};
+constexpr std::array kCommands{&kRenderCommand,  &kMergeCommand, &kVerifyCommand,  &kDiffCommand, &kInfoCommand,
+                               &kDevicesCommand, &kBenchCommand, &kSamplesCommand, &kBsdfCommand};
 
 int fail(ExitCode code, const std::string& message) {
     std::fprintf(stderr, "vkpt: %s\n", message.c_str());

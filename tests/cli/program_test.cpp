@@ -64,6 +64,11 @@ TEST_F(Program, UsageErrorsAre64AndOneLineThatNamesTheFault) {
         {{"render", kCornellBox, "--sampler", "lhs", "--scramble", "owen"}, "--scramble"},
         {{"render", kCornellBox, "--sampler", "sobol", "--scramble", "faure"}, "owen|xor|none"},
         {{"samples", "--sampler", "nobody"}, "--sampler"},
+        {{"bsdf"}, "SPEC"},
+        {{"bsdf", "velvet"}, "velvet"},
+        {{"bsdf", "lambert", "--compare", "lambert:color=2"}, "--compare"},
+        {{"bsdf", "lambert", "-o", "a.bmp"}, "--output"},
+        {{"bsdf", "lambert", "--draws", "1"}, "--draws"},
         {{"samples", "--projections", "--dims", "1"}, "--dims"},
         {{"samples", "--radical-inverse", "1"}, "--radical-inverse"},
         {{"samples", "--spectrum", "--discrepancy"}, "--spectrum"},
@@ -82,7 +87,7 @@ TEST_F(Program, UsageErrorsAre64AndOneLineThatNamesTheFault) {
 TEST_F(Program, HelpOfEveryCommandShowsAnExample) {
     EXPECT_EQ(run({"--help"}).code, 0);
     EXPECT_THAT(run({"--version"}).out, testing::StartsWith("vkpt "));
-    for (const char* command : {"render", "info", "devices", "bench", "diff", "samples"}) {
+    for (const char* command : {"render", "info", "devices", "bench", "diff", "samples", "bsdf"}) {
         const RunResult r = run({command, "--help"});
         EXPECT_EQ(r.code, 0);
         EXPECT_THAT(r.out, HasSubstr(std::string("Example:\n  vkpt ") + command));
@@ -245,14 +250,31 @@ TEST_F(Program, BenchTimesBothBackends) {
 
 // --spp is rounded before --samples applies.
 TEST_F(Program, SampleCountsAreRoundedWithANotice) {
-    const RunResult r = render({"--backend", "cpu", "--sampler", "orthogonal", "-o", "a.exr", "--samples", "0:9"}, {}, "5");
+    const RunResult r =
+        render({"--backend", "cpu", "--sampler", "orthogonal", "-o", "a.exr", "--samples", "0:9"}, {}, "5");
     ASSERT_EQ(r.code, 0) << r.err;
     EXPECT_THAT(r.err, HasSubstr("--spp 5: 'orthogonal' takes the square of a prime, so 9"));
     EXPECT_EQ(attribute("a.exr", "vkpt:spp"), "9");
 }
 
+TEST_F(Program, BsdfGivesTableJsonAndPictures) {
+    const RunResult table = run({"bsdf", "conductor:metal=Au", "--draws", "1000", "-o", "a.svg"});
+    ASSERT_EQ(table.code, 0) << table.err;
+    EXPECT_THAT(table.out, HasSubstr("seen from outside"));
+    EXPECT_THAT(readText(folder_.path() / "a.svg"), testing::StartsWith("<svg"));
+    const RunResult both =
+        run({"bsdf", "dielectric", "--compare", "plastic:alpha=0", "--draws", "1000", "--json", "-o", "a.png"});
+    ASSERT_EQ(both.code, 0) << both.err;
+    const Json json = Json::parse(both.out);
+    EXPECT_EQ(json.at("bsdfs").at(0).at("sides").size(), 2U) << "outside and inside";
+    EXPECT_NEAR(json.at("bsdfs").at(0).at("sides").at(0).at("angles").at(0).at("energy").get<double>(), 1, 5e-3);
+    EXPECT_EQ(json.at("comparison").size(), 7U);
+    EXPECT_GT(image("a.png").width, 100U);
+}
+
 TEST_F(Program, SamplesGivesTableJsonAndPictures) {
-    const RunResult table = run({"samples", "--sampler", "jittered,poissondisk", "--count", "16", "--grid", "-o", "a.svg"});
+    const RunResult table =
+        run({"samples", "--sampler", "jittered,poissondisk", "--count", "16", "--grid", "-o", "a.svg"});
     ASSERT_EQ(table.code, 0) << table.err;
     EXPECT_THAT(table.out, HasSubstr("jittered: 16 points"));
     EXPECT_THAT(readText(folder_.path() / "a.svg"), testing::StartsWith("<svg"));

@@ -1,5 +1,5 @@
 // Blinn's cosine lobe around the half vector, over a diffuse part. [Blinn 77] Normalised as the lecture has it, which
-// gains energy, or so that the albedo at normal incidence is the colour [Akenine 08, sec. 7.6].
+// gains energy, or so that the albedo at normal incidence is the colour [Giesen 09].
 #include "reference/bsdf.h"
 #include "reference/bsdf/cosine_lobes.h"
 

@@ -1,4 +1,4 @@
-// Facets in V-grooves of two roughnesses, weighted, over a diffuse part. [Cook 82], with the factor 4 of
+// Facets in V-grooves of two roughnesses, weighted, over a diffuse part. [Cook 81], with the factor 4 of
 // [Walter 07] in place of the paper's pi.
 #include "reference/bsdf.h"
 

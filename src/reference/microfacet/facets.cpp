@@ -14,7 +14,7 @@ bool ignoresVisibility(const Facets<Real>& f) {
     return f.distribution == kDistributionPhong && f.masking != kMaskingVGroove;
 }
 
-/// Masking of a facet by the other side of its groove. [Torrance 67], [Cook 82]
+/// Masking of a facet by the other side of its groove. [Torrance 67], [Cook 81]
 template <class Real>
 Real grooveG1(const Vec3<Real>& w, const Vec3<Real>& wm) {
     return std::min(Real(1), 2 * wm.z * std::abs(w.z) / std::abs(glm::dot(w, wm)));

@@ -1,0 +1,77 @@
+// vkpt bsdf: what a BSDF reflects, how well it is sampled, and how it looks.
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+
+#include "analysis/bsdf_study.h"
+#include "base/atomic_file.h"
+#include "cli/command.h"
+#include "cli/options.h"
+#include "plot/write.h"
+
+namespace vkpt {
+namespace {
+
+constexpr std::uint32_t kFewestDraws = 1000, kMostDraws = 10'000'000;
+
+struct BsdfCommand {
+    std::string spec, other;
+    BsdfStudyRequest request;
+    std::filesystem::path output;
+    bool json = false;
+};
+
+void addSpec(BsdfStudyRequest& request, const std::string& option, const std::string& text) {
+    try {
+        request.specs.push_back(parseBsdfSpec(text));
+        request.names.push_back(text);
+    } catch (const std::invalid_argument& fault) {
+        throw usageError(option, fmt::format("'{}': {}", text, fault.what()));
+    }
+}
+
+ExitCode runBsdf(const BsdfCommand& c) {
+    BsdfStudyRequest request = c.request;
+    addSpec(request, "SPEC", c.spec);
+    if (!c.other.empty()) addSpec(request, "--compare", c.other);
+    if (!c.output.empty()) {
+        if (!isDrawingFile(c.output))
+            throw usageError("--output", fmt::format("'{}' is none of {}", c.output.string(), kDrawingExtensions));
+        checkWritable(c.output);
+        request.picture = true;
+    }
+    const Study study = studyBsdf(request);
+    if (!c.output.empty()) {
+        writeDrawing(c.output, study.drawing);
+        spdlog::info("wrote {}", c.output.string());
+    }
+    std::cout << (c.json ? study.json.dump(2) + "\n" : study.table);
+    return ExitCode::Ok;
+}
+
+std::function<ExitCode()> setUpBsdf(CLI::App& app) {
+    const auto c = std::make_shared<BsdfCommand>();
+    app.add_option("SPEC", c->spec, "model[:key=value,...], JSON, or @FILE; the keys of VKPT_materials_bsdf")
+        ->required();
+    app.add_option("--compare", c->other, "another, in the same table and plots")->type_name("SPEC");
+    addParsed(app, "--multiscatter", c->request.multiscatter, parseSwitch, "on|off",
+              "of the picture: interreflection between facets; the table has both (default: on)");
+    addParsed(app, "--draws", c->request.draws, numberWithin(kFewestDraws, kMostDraws), "N",
+              "directions drawn an angle (default: 20000)", fmt::format("{} to {}", kFewestDraws, kMostDraws));
+    addParsed(app, "--seed", c->request.seed, numberWithin(0U), "N", "other draws (default: 0)", kWhole);
+    app.add_option("-o,--output", c->output, fmt::format("picture to write: {}", kDrawingExtensions))
+        ->type_name("FILE");
+    app.add_flag("--json", c->json, "as JSON");
+    app.footer(app.get_footer() + "\n\nModels and their keys:\n" + bsdfHelp());
+    return [c] { return runBsdf(*c); };
+}
+
+}  // namespace
+
+const Command kBsdfCommand{"bsdf", "a BSDF: albedo, energy, reciprocity, sampling, lobes, a sphere",
+                           "vkpt bsdf conductor:metal=Au,alpha=0.2 -o gold.png", setUpBsdf};
+
+}  // namespace vkpt
