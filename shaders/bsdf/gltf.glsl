@@ -1,16 +1,12 @@
-// glTF 2.0's metallic-roughness material. [glTF 2.0, appendix B]
-// Local frame, normal +z. f excludes the cosine; pdf is per solid angle.
+// glTF 2.0's metallic-roughness material. [glTF 2.0, appendix B] With kMultiscatter also what facets pass on among each
+// other [Kulla 17], and a diffuse lobe that gets what the dielectric layer leaves it [Kelemen 01].
 
 struct GltfBsdf {
     vec3 baseColor;
     float metallic;
     float alpha;      // roughness squared
-};
-
-struct BsdfSample {
-    vec3 wi;
-    vec3 weight;      // f |cos| / pdf
-    float pdf;        // negative: a delta lobe
+    // Under kMultiscatter, of table 0: at wo (see albedoLookup) and mean.
+    vec3 albedoO, mean;
 };
 
 float schlickWeight(float cosine) {
@@ -29,10 +25,66 @@ vec3 gltfDiffuse(GltfBsdf b, float cosM) {
     return (1.0 - b.metallic) * (1.0 - fresnelDielectric(cosM)) * b.baseColor * kInvPi;
 }
 
-// Probability of choosing the specular lobe: its share of the reflected luminance, seen along the normal.
-float gltfSpecularProbability(GltfBsdf b, float cosO) {
+// As glTF's table, the first, takes a roughness.
+AlbedoRoughness gltfRoughness(float alpha) { return AlbedoRoughness(vec2(alpha), false); }
+
+GltfBsdf makeGltfBsdf(vec3 baseColor, float metallic, float alpha, vec3 wo) {
+    GltfBsdf b = GltfBsdf(baseColor, metallic, alpha, vec3(1.0, 0.0, 0.0), vec3(1.0, 0.0, 0.0));
+    if (kMultiscatter != 0u && alpha >= kDeltaAlpha) {
+        b.albedoO = albedoLookup(0u, gltfRoughness(alpha), wo);
+        b.mean = albedoMean(0u, gltfRoughness(alpha));
+    }
+    return b;
+}
+
+// Ms of estimator.md: share of interreflected light given back under Schlick's Fresnel term.
+vec3 gltfReturned(GltfBsdf b, vec3 f0) { return interreflectedShare((1.0 + 20.0 * f0) / 21.0, b.mean.z); }
+
+vec3 gltfReturned(GltfBsdf b) {
+    return mix(gltfReturned(b, vec3(kDielectricF0)), gltfReturned(b, b.baseColor), b.metallic);
+}
+
+// R of estimator.md: what the dielectric layer reflects, of an albedo or of its mean.
+float gltfLayerAlbedo(GltfBsdf b, vec3 albedo) {
+    float returned = gltfReturned(b, vec3(kDielectricF0)).x;
+    return kDielectricF0 * albedo.x + albedo.y + returned * albedo.z;
+}
+
+// 1 - R at cosine cosW, the table being `albedo` there.
+float gltfLeft(GltfBsdf b, float cosW, vec3 albedo) {
+    return 1.0 - (b.alpha < kDeltaAlpha ? fresnelDielectric(cosW) : gltfLayerAlbedo(b, albedo));
+}
+
+float gltfMeanLeft(GltfBsdf b) {
+    return 1.0 - (b.alpha < kDeltaAlpha ? (1.0 + 20.0 * kDielectricF0) / 21.0 : gltfLayerAlbedo(b, b.mean));
+}
+
+// Diffuse lobe and interreflection.
+vec3 gltfCoupled(GltfBsdf b, vec3 wo, vec3 wi) {
+    bool delta = b.alpha < kDeltaAlpha;
+    vec3 albedoI = delta ? vec3(1.0, 0.0, 0.0) : albedoLookup(0u, gltfRoughness(b.alpha), wi);
+    float left = gltfLeft(b, wo.z, b.albedoO) * gltfLeft(b, wi.z, albedoI) / gltfMeanLeft(b);
+    vec3 f = (1.0 - b.metallic) * b.baseColor * (left * kInvPi);
+    if (!delta) f += gltfReturned(b) * interreflection(b.albedoO.z, albedoI.z, b.mean.z);
+    return f;
+}
+
+// Probabilities of choosing the specular lobe, and otherwise that of interreflection: their shares of the reflected
+// luminance, seen along the normal.
+struct GltfChoices {
+    float specular, interreflection;
+};
+
+float gltfShare(float first, float second) { return first + second > 0.0 ? first / (first + second) : 1.0; }
+
+GltfChoices gltfChoices(GltfBsdf b, float cosO) {
     float s = luminance(fresnelGltf(b, cosO)), d = kPi * luminance(gltfDiffuse(b, cosO));
-    return s + d > 0.0 ? s / (s + d) : 1.0;
+    if (kMultiscatter == 0u) return GltfChoices(gltfShare(s, d), 0.0);
+    bool delta = b.alpha < kDeltaAlpha;
+    if (!delta) s = luminance(mix(vec3(kDielectricF0), b.baseColor, b.metallic) * b.albedoO.x + b.albedoO.y);
+    float m = delta ? 0.0 : luminance(gltfReturned(b)) * b.albedoO.z;
+    d = luminance((1.0 - b.metallic) * b.baseColor) * gltfLeft(b, cosO, b.albedoO);
+    return GltfChoices(gltfShare(s, m + d), delta ? 0.0 : gltfShare(m, d));
 }
 
 // f of both lobes, without a delta lobe, and their joint pdf.
@@ -41,13 +93,16 @@ void gltfEvaluate(GltfBsdf b, vec3 wo, vec3 wi, out vec3 f, out float pdf) {
     pdf = 0.0;
     if (wo.z <= 0.0 || wi.z <= 0.0) return;
     vec3 wm = normalize(wo + wi);
-    float cosM = abs(dot(wo, wm)), pSpecular = gltfSpecularProbability(b, wo.z);
-    f = gltfDiffuse(b, cosM);
-    pdf = (1.0 - pSpecular) * wi.z * kInvPi;
+    GltfChoices choices = gltfChoices(b, wo.z);
+    float cosM = abs(dot(wo, wm));
+    f = kMultiscatter != 0u ? gltfCoupled(b, wo, wi) : gltfDiffuse(b, cosM);
+    pdf = wi.z * kInvPi;
+    if (kMultiscatter != 0u) pdf = mix(pdf, interreflectionPdf(b.alpha * b.alpha, wi.z), choices.interreflection);
+    pdf *= 1.0 - choices.specular;
     if (b.alpha >= kDeltaAlpha) {
         float d = ggxD(b.alpha, wm);
         f += fresnelGltf(b, cosM) * (d * ggxG2(b.alpha, wo.z, wi.z) / (4.0 * wo.z * wi.z));
-        pdf += pSpecular * ggxReflectionPdf(b.alpha, wo.z, wm);
+        pdf += choices.specular * ggxReflectionPdf(b.alpha, wo.z, wm);
     }
 }
 
@@ -55,13 +110,15 @@ void gltfEvaluate(GltfBsdf b, vec3 wo, vec3 wi, out vec3 f, out float pdf) {
 BsdfSample gltfSample(GltfBsdf b, vec3 wo, float uLobe, vec2 u) {
     BsdfSample s = BsdfSample(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0);
     if (wo.z <= 0.0) return s;
-    float pSpecular = gltfSpecularProbability(b, wo.z);
-    bool specular = uLobe < pSpecular, delta = b.alpha < kDeltaAlpha;
-    vec3 wm = delta ? vec3(0.0, 0.0, 1.0) : ggxSampleVisibleNormal(b.alpha, wo, u);
+    GltfChoices choices = gltfChoices(b, wo.z);
+    bool specular = uLobe < choices.specular, delta = b.alpha < kDeltaAlpha;
+    vec3 wm = delta ? vec3(0.0, 0.0, 1.0) : ggxSampleVisibleNormal(vec2(b.alpha), wo, u);
     s.wi = specular ? 2.0 * dot(wo, wm) * wm - wo : squareToCosineHemisphere(u);
+    bool interreflected = uLobe - choices.specular < choices.interreflection * (1.0 - choices.specular);
+    if (kMultiscatter != 0u && !specular && interreflected) s.wi = sampleInterreflection(b.alpha * b.alpha, u);
     if (s.wi.z <= 0.0) return s;
     if (specular && delta) {
-        s.weight = fresnelGltf(b, wo.z) / pSpecular;
+        s.weight = fresnelGltf(b, wo.z) / choices.specular;
         s.pdf = -1.0;
         return s;
     }

@@ -39,6 +39,15 @@ MaterialRecord loadMaterial(uint index) {
                           w3.x, w3.y, w3.z, w3.w);
 }
 
+BsdfRecord loadBsdf(uint index) {
+    uint base = scene.bsdfs + index * 6u;
+    vec4 w0 = sceneWordFloat(base), w1 = sceneWordFloat(base + 1u), w2 = sceneWordFloat(base + 2u),
+         w3 = sceneWordFloat(base + 3u), w4 = sceneWordFloat(base + 4u);
+    uvec4 w5 = sceneWord(base + 5u);
+    return BsdfRecord(w0.xyz, w0.w, w1.xyz, w1.w, w2.xyz, w2.w, w3.xyz, w3.w, w4.xyz, w4.w, w5.x, w5.y,
+                      uintBitsToFloat(w5.z), uintBitsToFloat(w5.w));
+}
+
 TextureRecord loadTexture(uint index) {
     uint base = scene.textures + index * 3u;
     uvec4 w0 = sceneWord(base);

@@ -8,9 +8,11 @@ struct ShadingPoint {
     vec3 nGeometric;   // geometric normal of the front side
     ShadingFrame frame;
     SurfaceUv uv;
+    uint materialIndex;
     MaterialRecord material;
     MaterialMaps maps;
     uint light;        // its LightRecord, or kNone
+    vec3 tangent;      // across the interpolated normal; 0 where neither a normal map nor the BSDF needs one
 };
 
 // Bends ns until the mirror direction leaves the surface. [Keller 17, app. A.3]
@@ -22,15 +24,22 @@ vec3 bendNormal(vec3 wo, vec3 ns, vec3 ng) {
     return normalize(wo + normalize(r + ng * (least - below)));
 }
 
-// Normal map in the tangent frame of the unflipped normal.
-vec3 applyNormalMap(MaterialRecord m, vec4 texel, vec3 n, vec4 tangent) {
-    if ((kSceneMaps & (1u << kMapNormal)) == 0u || m.normalTexture == kNone) return n;
+bool hasNormalMap(MaterialRecord m) {
+    return (kSceneMaps & (1u << kMapNormal)) != 0u && m.normalTexture != kNone;
+}
+
+// t across n, of length 1, or 0 where nothing is left of it.
+vec3 tangentAcross(vec3 t, vec3 n) {
+    vec3 across = t - n * dot(n, t);
+    float t2 = dot(across, across);
+    return t2 > 0.0 ? across * inversesqrt(t2) : vec3(0.0);
+}
+
+// Normal map in the frame of the unflipped normal and of the tangent across it, whose handedness is w.
+vec3 applyNormalMap(MaterialRecord m, vec4 texel, vec3 n, vec3 t, float w) {
+    if (!hasNormalMap(m) || t == vec3(0.0)) return n;
     vec3 c = texel.xyz * 2.0 - 1.0;
-    vec3 t = tangent.xyz - n * dot(n, tangent.xyz);
-    float t2 = dot(t, t);
-    if (t2 <= 0.0) return n;
-    t *= inversesqrt(t2);
-    vec3 mapped = c.x * m.normalScale * t + c.y * m.normalScale * tangent.w * cross(n, t) + c.z * n;
+    vec3 mapped = c.x * m.normalScale * t + c.y * m.normalScale * w * cross(n, t) + c.z * n;
     float length2 = dot(mapped, mapped);
     return length2 > 0.0 ? mapped * inversesqrt(length2) : n;
 }
@@ -69,12 +78,15 @@ ShadingPoint makeShadingPoint(uint slot, uint instance, vec2 b12, vec3 wo) {
     p.ng = side * p.nGeometric;
     p.offset = kOffsetScale * maxComponent(magnitude);
     p.uv = interpolateUv(vertices, a, b, c, w);
-    p.material = loadMaterial(tri.flags >> kTriangleMaterialShift);
+    p.materialIndex = tri.flags >> kTriangleMaterialShift;
+    p.material = loadMaterial(p.materialIndex);
     p.maps = sampleMaterialMaps(p.material, p.uv);
     p.light = tri.light;
     float n2 = dot(n, n);
     n = n2 > 0.0 ? n * inversesqrt(n2) : p.nGeometric;
-    vec3 ns = side * applyNormalMap(p.material, p.maps.normal, n, vec4(t, ta.w));
+    bool needsTangent = hasNormalMap(p.material) || (p.material.flags & kMaterialTangents) != 0u;
+    p.tangent = needsTangent ? tangentAcross(t, n) : vec3(0.0);
+    vec3 ns = side * applyNormalMap(p.material, p.maps.normal, n, p.tangent, ta.w);
     p.frame = makeFrame(bendNormal(wo, ns, p.ng));
     return p;
 }

@@ -8,22 +8,37 @@
 #include "geometry/traverse.glsl"
 #include "material/alpha.glsl"
 #include "kernels/alpha_key.glsl"
+
+// The queue of hits on triangle `slot`, by its shade group. Where all hits have one, nothing is read.
+uint hitQueue(uint slot) {
+    uint group = uint(findLSB(kShadeGroups));
+    if (bitCount(kShadeGroups) > 1) group = (sceneWord(scene.triangles + slot * 4u).w >> kTriangleGroupShift) & kTriangleGroupMask;
+    return group == kGroupGltf ? kQueueHit : (group == kGroupMicrofacet ? kQueueHitMicrofacet : kQueueHitClassic);
+}
+
+// Every invocation calls it: `wanted` with the queue of its path.
+void appendTo(uint queue, uint wanted, uint path) {
+    uint slot = appendSlot(batch.bounce, queue, wanted == queue);
+    if (wanted == queue) counters[queueArray(batch.bounce, queue) + slot] = path;
+}
+
 void main() {
-    uint i = gl_GlobalInvocationID.x, path = 0u;
-    bool live = i < queueSize(batch.bounce, kQueueRay), met = false;
+    uint i = gl_GlobalInvocationID.x, path = 0u, queue = kNone;
+    bool live = i < queueSize(batch.bounce, kQueueRay);
     if (live) {
         path = counters[queueArray(batch.bounce, kQueueRay) + i];
         vec3 origin = loadStateFloat(kStateOrigin, path).xyz;
         vec4 direction = loadStateFloat(kStateDirection, path);
         Hit hit = traverse(origin, direction.xyz, uintBitsToFloat(0x7f800000u), alphaKeyOf(path, kRayPath), false);
-        met = hit.slot != kNone;
+        bool met = hit.slot != kNone;
+        queue = met ? hitQueue(hit.slot) : kQueueMiss;
         if (met || kHasSurfaceLayers)
             storeState(kStateHit, path, uvec4(floatBitsToUint(hit.t), hit.slot, floatBitsToUint(vec2(hit.b1, hit.b2))));
         if (met && kHasInstances != 0u)
             storeStateFloat(kStateDirection, path, vec4(direction.xyz, uintBitsToFloat(hit.instance)));
     }
-    uint hitSlot = appendSlot(batch.bounce, kQueueHit, live && met);
-    uint missSlot = appendSlot(batch.bounce, kQueueMiss, live && !met);
-    if (live) counters[met ? queueArray(batch.bounce, kQueueHit) + hitSlot
-                             : queueArray(batch.bounce, kQueueMiss) + missSlot] = path;
+    if ((kShadeGroups & (1u << kGroupGltf)) != 0u) appendTo(kQueueHit, queue, path);
+    if ((kShadeGroups & (1u << kGroupMicrofacet)) != 0u) appendTo(kQueueHitMicrofacet, queue, path);
+    if ((kShadeGroups & (1u << kGroupClassic)) != 0u) appendTo(kQueueHitClassic, queue, path);
+    appendTo(kQueueMiss, queue, path);
 }

@@ -3,4 +3,6 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
 #define VKPT_NO_BALLOT
+#include "kernels/shade_preamble.glsl"
+#include "bsdf/group_gltf.glsl"
 #include "kernels/shade.glsl"

@@ -37,10 +37,12 @@ void storeState(uint array, uint slot, uvec4 value) { stateWords[array * batch.c
 vec4 loadStateFloat(uint array, uint slot) { return uintBitsToFloat(loadState(array, slot)); }
 void storeStateFloat(uint array, uint slot, vec4 value) { storeState(array, slot, floatBitsToUint(value)); }
 
-// Counters: a block of 16 uints a bounce, then what was refused, then the queues. A queue's block is
+// Counters: a block of 24 uints a bounce, then what was refused, then the queues. A queue's block is
 // {groups, 1, 1, items}: the first three are the arguments of its indirect dispatch.
-const uint kQueueRay = 0u, kQueueHit = 1u, kQueueMiss = 2u, kQueueShadow = 3u;
-const uint kCounterBlock = 16u;
+// Hits have a queue a shade group; that of kGroupGltf is kQueueHit.
+const uint kQueueRay = 0u, kQueueHit = 1u, kQueueMiss = 2u, kQueueHitMicrofacet = 3u, kQueueHitClassic = 4u;
+const uint kQueueShadow = 5u;
+const uint kCounterBlock = 24u;
 const uint kMaxBounceBlocks = 4096u;
 const uint kRefused = kCounterBlock * kMaxBounceBlocks;
 const uint kRefusedInLayers = kRefused + 1u;

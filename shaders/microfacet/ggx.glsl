@@ -1,9 +1,16 @@
-// GGX (Trowbridge-Reitz), isotropic; local frame, normal +z. [Walter 07, Heitz 14]
+// GGX (Trowbridge-Reitz); local frame, normal +z. [Walter 07, Heitz 14]
 
 // Written without 1 - cos^2, which would cancel at small alpha.
 float ggxD(float alpha, vec3 wm) {
     float a2 = alpha * alpha, t = a2 * wm.z * wm.z + dot(wm.xy, wm.xy);
     return a2 * kInvPi / (t * t);
+}
+
+// Of two alphas.
+float ggxD(vec2 alpha, vec3 wm) {
+    vec2 s = wm.xy / alpha;
+    float t = dot(s, s) + wm.z * wm.z;
+    return kInvPi / (alpha.x * alpha.y * t * t);
 }
 
 // Smith's Lambda. [Heitz 14, eq. 72]
@@ -25,7 +32,7 @@ float ggxReflectionPdf(float alpha, float cosO, vec3 wm) {
 }
 
 // Visible normal by spherical caps. [Dupuy 23, listing 3]
-vec3 ggxSampleVisibleNormal(float alpha, vec3 wo, vec2 u) {
+vec3 ggxSampleVisibleNormal(vec2 alpha, vec3 wo, vec2 u) {
     vec3 w = normalize(vec3(wo.xy * alpha, wo.z));
     float z = (1.0 - u.y) * (1.0 + w.z) - w.z;
     float r = sqrt(clamp((1.0 - z) * (1.0 + z), 0.0, 1.0));

@@ -3,7 +3,7 @@
 const uint kInputWords = 1u, kOutputWords = 1u;
 #include "probes/probe.glsl"
 layout(std430, binding = 2) buffer Counters { uint counters[]; };
-uint queueCounter(uint bounce, uint queue) { return bounce * 16u + queue * 4u; }
+uint queueCounter(uint bounce, uint queue) { return bounce * 24u + queue * 4u; }
 #include "kernels/append.glsl"
 
 void main() {

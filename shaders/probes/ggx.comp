@@ -12,5 +12,5 @@ void main() {
     float alpha = wo.w;
     putFloat(0u, vec4(ggxD(alpha, wm.xyz), ggxG1(alpha, wo.z), ggxG2(alpha, wo.z, wm.w),
                       ggxReflectionPdf(alpha, wo.z, wm.xyz)));
-    putFloat(1u, vec4(ggxSampleVisibleNormal(alpha, wo.xyz, inputFloat(2u).xy), 0.0));
+    putFloat(1u, vec4(ggxSampleVisibleNormal(vec2(alpha), wo.xyz, inputFloat(2u).xy), 0.0));
 }

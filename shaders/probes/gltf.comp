@@ -2,22 +2,22 @@
 // In: base colour, metallic; wo, alpha; wi; uLobe, u. Out: f(wo, wi), pdf; sampled wi, pdf; its weight, pSpecular.
 #extension GL_GOOGLE_include_directive : require
 const uint kInputWords = 4u, kOutputWords = 3u;
-#include "probes/probe.glsl"
-#include "math/trigonometry.glsl"
-#include "math/color.glsl"
-#include "math/warp.glsl"
+#include "probes/scene_probe.glsl"
+#include "bsdf/bsdf.glsl"
 #include "microfacet/ggx.glsl"
+#include "math/exponential.glsl"
+#include "microfacet/albedo.glsl"
 #include "bsdf/gltf.glsl"
 
 void main() {
     if (isIdle()) return;
     vec4 base = inputFloat(0u), wo = inputFloat(1u), u = inputFloat(3u);
-    GltfBsdf b = GltfBsdf(base.rgb, base.a, wo.w);
+    GltfBsdf b = makeGltfBsdf(base.rgb, base.a, wo.w, wo.xyz);
     vec3 f;
     float pdf;
     gltfEvaluate(b, wo.xyz, inputFloat(2u).xyz, f, pdf);
     BsdfSample s = gltfSample(b, wo.xyz, u.x, u.yz);
     putFloat(0u, vec4(f, pdf));
     putFloat(1u, vec4(s.wi, s.pdf));
-    putFloat(2u, vec4(s.weight, gltfSpecularProbability(b, wo.z)));
+    putFloat(2u, vec4(s.weight, gltfChoices(b, wo.z).specular));
 }

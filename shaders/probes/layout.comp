@@ -51,7 +51,7 @@ void putHeader(SceneHeader r) {
     put(r.nodes); put(r.triangles); put(r.vertices); put(r.vertexExtras); put(r.instances); put(r.materials);
     put(r.textures); put(r.texels); put(r.lights); put(r.lightCdf); put(r.lightCount); put(r.rootNode);
     put(r.envTexels); put(r.envRows); put(r.envColumns); put(r.envLight); put(r.envWidth); put(r.envHeight);
-    put(r.envCos); put(r.envSin); put(r.samplerTable);
+    put(r.envCos); put(r.envSin); put(r.samplerTable); put(r.bsdfs); put(r.albedoTables);
 }
 
 void putParams(RenderParams r) {
@@ -59,6 +59,14 @@ void putParams(RenderParams r) {
     put(r.background); put(r.backgroundMode); put(r.spp); put(r.maxDepth); put(r.rrMode); put(r.rrDepth);
     put(r.rrFixed);
 }
+
+void putBsdf(BsdfRecord r) {
+    put(r.color); put(r.alphaX); put(r.diffuse); put(r.alphaY); put(r.eta); put(r.exponentX); put(r.k); put(r.exponentY);
+    put(r.average); put(r.weight); put(r.flags); put(r.table); put(r.sigma); put(r.specular);
+}
+
+// A cell is read as a word, by albedoLookup and albedoMean.
+void putCell(uvec4 w) { put(w.x); put(w.y); put(w.z); put(w.w); }
 
 void main() {
     if (isIdle()) return;
@@ -73,5 +81,7 @@ void main() {
         case 7u: putLight(loadLight(1u)); break;
         case 8u: putHeader(scene); break;
         case 9u: putParams(render); break;
+        case 10u: putBsdf(loadBsdf(1u)); break;
+        case 11u: putCell(sceneWord(scene.albedoTables + 1u)); break;
     }
 }

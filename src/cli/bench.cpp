@@ -80,7 +80,7 @@ void printResult(const Json& r) {
                              r["runSeconds"].size(), r["renderSeconds"].get<double>(),
                              r["secondsToFirstPass"].get<double>());
     for (const Json& stage : r["stages"])
-        std::cout << fmt::format("  {:<12} {:9.3f} s {:14} items {:9.2f} M/s\n", stage["name"].get<std::string>(),
+        std::cout << fmt::format("  {:<16} {:9.3f} s {:14} items {:9.2f} M/s\n", stage["name"].get<std::string>(),
                                  stage["seconds"].get<double>(), stage["items"].get<std::uint64_t>(),
                                  stage["millionItemsPerSecond"].get<double>());
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "registry.h"
 #include "wavefront/layout.h"
 
 namespace vkpt {
@@ -44,17 +45,32 @@ std::vector<std::uint32_t> specializationOf(const SceneFeatures& f, const SceneH
             options.film.firstWord(Layer::Ids),
             options.film.firstWord(Layer::Luminance),
             options.setSamples,
-            options.manyDimensions};
+            options.manyDimensions,
+            f.bsdfModels,
+            shadeGroupsOf(f.bsdfModels),
+            f.multiscatter};
+}
+
+std::uint32_t shadeGroupsOf(std::uint32_t bsdfModels) {
+    std::uint32_t groups = 0;
+    for (const BsdfModelInfo& model : kBsdfModels)
+        if ((bsdfModels >> static_cast<std::uint32_t>(model.id) & 1U) != 0)
+            groups |= 1U << static_cast<std::uint32_t>(model.group);
+    return groups;
 }
 
 WavefrontKernels::WavefrontKernels(Device& device, const SpirvSource& spirv,
-                                   std::span<const std::uint32_t> specialization, bool useBallot, bool surfaceLayers) {
+                                   std::span<const std::uint32_t> specialization, std::uint32_t bsdfModels,
+                                   bool useBallot, bool surfaceLayers) {
     const auto make = [&](std::string_view name) -> Kernel {
         return {device, spirv(name), kKernelBindings, sizeof(BatchParams), specialization, name};
     };
     generate = make("generate");
     intersect = make(useBallot ? "intersect" : "intersect_portable");
-    shade = make(useBallot ? "shade" : "shade_portable");
+    for (std::size_t group = 0; group < shade.size(); ++group)
+        if ((shadeGroupsOf(bsdfModels) >> group & 1U) != 0)
+            shade[group].emplace(make(kStageNames[static_cast<std::size_t>(kShadeStages[group])] +
+                                      std::string(useBallot ? "" : "_portable")));
     miss = make("miss");
     shadow = make("shadow");
     accumulate = make("accumulate");

@@ -41,14 +41,18 @@ struct KernelOptions {
 [[nodiscard]] std::vector<std::uint32_t> specializationOf(const SceneFeatures& features, const SceneHeader& header,
                                                           const KernelOptions& options);
 
+/// Shade groups (kGroup*) of a set of BSDF models, a bit each.
+[[nodiscard]] std::uint32_t shadeGroupsOf(std::uint32_t bsdfModels);
+
 struct WavefrontKernels {
-    Kernel generate, intersect, shade, miss, shadow, accumulate;
+    Kernel generate, intersect, miss, shadow, accumulate;
+    std::array<std::optional<Kernel>, kGroups> shade;  ///< of the groups that the scene has
     std::optional<Kernel> layers;
 
     /// `useBallot` false: the variants that need no subgroup operations. `surfaceLayers`: with the kernel that gathers
     /// what camera rays meet.
     WavefrontKernels(Device& device, const SpirvSource& spirv, std::span<const std::uint32_t> specialization,
-                     bool useBallot, bool surfaceLayers);
+                     std::uint32_t bsdfModels, bool useBallot, bool surfaceLayers);
 };
 
 }  // namespace vkpt

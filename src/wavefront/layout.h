@@ -27,10 +27,11 @@ struct SlotPlace {
 
 inline constexpr std::uint32_t kGroupSize = 64;
 inline constexpr std::uint32_t kStateArrays = 10;  ///< 16-byte words a path
-inline constexpr std::uint32_t kQueueArrays = 5;   ///< two ray queues, hits, misses, shadow: uints a path
+inline constexpr std::uint32_t kQueueArrays = 6;   ///< two ray queues, hits a shade group, misses: uints a path
 
-enum class Queue : std::uint32_t { Ray, Hit, Miss, Shadow };
-inline constexpr std::uint32_t kQueues = 4;
+enum class Queue : std::uint32_t { Ray, Hit, Miss, HitMicrofacet, HitClassic, Shadow };
+inline constexpr std::uint32_t kQueues = 6;
+inline constexpr std::array kHitQueues = {Queue::Hit, Queue::HitMicrofacet, Queue::HitClassic};  ///< by kGroup*
 
 /// Arrays of the path state, each as long as there are slots.
 enum class StateArray : std::uint32_t {
@@ -48,8 +49,26 @@ enum class StateArray : std::uint32_t {
 
 /// Kernels in the order of a bounce; last the one that follows the intersections of the camera rays where layers are
 /// asked for.
-enum class Stage : std::uint32_t { Generate, Intersect, Miss, Shade, Shadow, Accumulate, Layers };
-inline constexpr std::array kStageNames = {"generate", "intersect", "miss", "shade", "shadow", "accumulate", "layers"};
+enum class Stage : std::uint32_t {
+    Generate,
+    Intersect,
+    Miss,
+    Shade,
+    ShadeMicrofacet,
+    ShadeClassic,
+    Shadow,
+    Accumulate,
+    Layers
+};
+inline constexpr std::array kStageNames = {"generate",      "intersect", "miss",       "shade", "shade_microfacet",
+                                           "shade_classic", "shadow",    "accumulate", "layers"};
+inline constexpr std::array kShadeStages = {Stage::Shade, Stage::ShadeMicrofacet, Stage::ShadeClassic};  ///< by kGroup*
+/// Which of kShadeStages; kShadeStages.size() for other stages.
+[[nodiscard]] constexpr std::size_t shadeGroupOf(Stage stage) {
+    std::size_t group = 0;
+    while (group < kShadeStages.size() && kShadeStages[group] != stage) ++group;
+    return group;
+}
 
 /// {groups, 1, 1, items} of one queue at one bounce.
 struct QueueCounter {

@@ -18,8 +18,9 @@ using Word = std::array<std::uint32_t, 4>;
 constexpr std::size_t kFieldsRoom = 32;
 using Fields = std::array<Word, kFieldsRoom>;
 
-constexpr std::array kStructs = {"TriangleRecord", "VertexRecord",  "VertexExtra", "WideNode",    "InstanceRecord",
-                                 "MaterialRecord", "TextureRecord", "LightRecord", "SceneHeader", "RenderParams"};
+constexpr std::array kStructs = {"TriangleRecord", "VertexRecord",   "VertexExtra",   "WideNode",
+                                 "InstanceRecord", "MaterialRecord", "TextureRecord", "LightRecord",
+                                 "SceneHeader",    "RenderParams",   "BsdfRecord",    "AlbedoCell"};
 
 /// A struct whose 32-bit words all differ, from each other and from those of other structs. As floats they are normal.
 template <class T>
@@ -49,10 +50,12 @@ struct Records {
     LightRecord light = pattern<LightRecord>(8);
     SceneHeader header = pattern<SceneHeader>(9);
     RenderParams params = pattern<RenderParams>(10);
+    BsdfRecord bsdf = pattern<BsdfRecord>(11);
+    AlbedoCell cell = pattern<AlbedoCell>(12);
 };
 
 std::array<Fields, kStructs.size()> expectedFields(const Records& all) {
-    const auto& [t, v, e, n, i, m, x, l, h, p] = all;
+    const auto& [t, v, e, n, i, m, x, l, h, p, b, c] = all;
     return {
         fieldsOf(t.v0, t.flags, t.v1, t.light, t.v2, t.primitive, t.i0, t.i1, t.i2, t.object),
         fieldsOf(v.normal, v.u0, v.v0, v.tangent),
@@ -67,9 +70,12 @@ std::array<Fields, kStructs.size()> expectedFields(const Records& all) {
         fieldsOf(l.a, l.kind, l.b, l.pmf, l.c, l.area, l.color, l.index),
         fieldsOf(h.nodes, h.triangles, h.vertices, h.vertexExtras, h.instances, h.materials, h.textures, h.texels,
                  h.lights, h.lightCdf, h.lightCount, h.rootNode, h.envTexels, h.envRows, h.envColumns, h.envLight,
-                 h.envWidth, h.envHeight, h.envCos, h.envSin, h.samplerTable),
+                 h.envWidth, h.envHeight, h.envCos, h.envSin, h.samplerTable, h.bsdfs, h.albedoTables),
         fieldsOf(p.eye, p.projection, p.right, p.width, p.up, p.height, p.forward, p.seed, p.background,
                  p.backgroundMode, p.spp, p.maxDepth, p.rrMode, p.rrDepth, p.rrFixed),
+        fieldsOf(b.color, b.alphaX, b.diffuse, b.alphaY, b.eta, b.exponentX, b.k, b.exponentY, b.average, b.weight,
+                 b.flags, b.table, b.sigma, b.specular),
+        fieldsOf(c.x, c.y, c.z, c.w),
     };
 }
 
@@ -95,6 +101,8 @@ std::vector<Word> layOut(Records& records) {
     records.header.materials = append(words, records.material);
     records.header.textures = append(words, records.texture);
     records.header.lights = append(words, records.light);
+    records.header.bsdfs = append(words, records.bsdf);
+    records.header.albedoTables = append(words, records.cell);
     return words;
 }
 

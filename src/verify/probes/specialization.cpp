@@ -1,6 +1,7 @@
 // specializationOf (src/wavefront/kernels.cpp) sets the constants that shaders/specialization.glsl means.
 #include <array>
 
+#include "registry.h"
 #include "verify/context.h"
 #include "verify/probes.h"
 #include "wavefront/kernels.h"
@@ -17,7 +18,7 @@ struct Constants {
 using Named = std::pair<const char*, std::uint32_t>;
 
 /// All constants by name, in the order in which the probe writes them.
-std::array<Named, 30> namesAndValues(const Constants& c) {
+std::array<Named, 33> namesAndValues(const Constants& c) {
     const auto& [f, h, o] = c;
     const auto flag = [](bool b) { return b ? 1U : 0U; };
     return {Named{"kSampler", static_cast<std::uint32_t>(o.sampler.id)},
@@ -49,7 +50,10 @@ std::array<Named, 30> namesAndValues(const Constants& c) {
             {"kIdsWord", o.film.firstWord(Layer::Ids)},
             {"kLuminanceWord", o.film.firstWord(Layer::Luminance)},
             {"kSetSamples", o.setSamples},
-            {"kManyDimensions", flag(o.manyDimensions)}};
+            {"kManyDimensions", flag(o.manyDimensions)},
+            {"kBsdfModels", f.bsdfModels},
+            {"kShadeGroups", 1U << kGroupMicrofacet | 1U << kGroupClassic},
+            {"kMultiscatter", flag(f.multiscatter)}};
 }
 
 /// Round `bit` of a set in which no two flags are the same in all rounds; the numbers differ in any.
@@ -59,9 +63,10 @@ Constants makeConstants(std::uint32_t bit) {
     std::uint32_t number = 0;
     for (bool* flag :
          {&f.instances, &f.alpha, &f.textureTransforms, &f.vertexExtras, &f.triangleLights, &f.texturedEmission,
-          &f.punctualLights, &f.environment, &f.unlit, &o.fetchTexel, &o.useBallot, &o.stateTexel, &o.manyDimensions})
+          &f.punctualLights, &f.environment, &f.unlit, &f.multiscatter, &o.fetchTexel, &o.useBallot, &o.stateTexel, &o.manyDimensions})
         *flag = (++number >> bit & 1U) != 0;
     f.maps = 13;
+    f.bsdfModels = 1U << static_cast<std::uint32_t>(BsdfId::Eon) | 1U << static_cast<std::uint32_t>(BsdfId::Dielectric);
     f.mapSets = 9;
     h.lightCount = 1000;
     h.envHeight = 64;
@@ -76,12 +81,12 @@ Constants makeConstants(std::uint32_t bit) {
 }  // namespace
 
 void checkSpecialization(VerifyContext& context, Findings& findings) {
-    constexpr std::uint32_t kRounds = 4;  // 13 flags
+    constexpr std::uint32_t kRounds = 4;  // 14 flags
     for (std::uint32_t round = 0; round < kRounds; ++round) {
         const Constants constants = makeConstants(round);
         ProbeOptions options;
         options.specialization = specializationOf(constants.features, constants.header, constants.options);
-        const auto read = context.prober().evaluate<std::array<std::uint32_t, 32>>(
+        const auto read = context.prober().evaluate<std::array<std::uint32_t, 36>>(
             "specialization", std::vector<glm::uvec4>(1), options)[0];
         const auto expected = namesAndValues(constants);
         const auto scope = findings.inputs([&](std::size_t i) { return std::string(expected[i].first); });

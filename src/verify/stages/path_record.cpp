@@ -14,10 +14,11 @@ public:
         if (now.stage == Stage::Generate) {
             for (const std::uint32_t path : now.queue(0, Queue::Ray)) begin(now, path, 0);
         } else if (now.stage == Stage::Intersect) {
-            for (const std::uint32_t path : now.queue(bounce, Queue::Hit)) last(path).hit = paths_.hitOf(now, path);
+            for (const Queue queue : kHitQueues)
+                for (const std::uint32_t path : now.queue(bounce, queue)) last(path).hit = paths_.hitOf(now, path);
         } else if (now.stage == Stage::Miss) {
             for (const std::uint32_t path : now.queue(bounce, Queue::Miss)) emit(now, path);
-        } else if (now.stage == Stage::Shade) {
+        } else if (shadeGroupOf(now.stage) < kShadeStages.size()) {
             shade(now);
         } else if (now.stage == Stage::Shadow) {
             for (std::uint32_t item = 0; item < now.queueSize(bounce, Queue::Shadow); ++item) {
@@ -44,12 +45,14 @@ private:
 
     void shade(const StageSnapshot& now) {
         const std::uint32_t bounce = now.batch.bounce;
-        for (const std::uint32_t path : before_.queue(bounce, Queue::Hit)) emit(now, path);
-        for (std::uint32_t item = 0; item < now.queueSize(bounce, Queue::Shadow); ++item) {
+        for (const std::uint32_t path : before_.queue(bounce, kHitQueues[shadeGroupOf(now.stage)])) emit(now, path);
+        for (std::uint32_t item = before_.queueSize(bounce, Queue::Shadow); item < now.queueSize(bounce, Queue::Shadow);
+             ++item) {
             const DeviceShadow shadow = shadowOf(now, item);
             last(shadow.path).direct = shadow.light;
         }
-        for (const std::uint32_t path : now.queue(bounce + 1, Queue::Ray)) {
+        const auto appended = before_.queueSize(bounce + 1, Queue::Ray);
+        for (const std::uint32_t path : now.queue(bounce + 1, Queue::Ray).subspan(appended)) {
             last(path).next = paths_.stateOf(now, path, bounce + 1);
             begin(now, path, bounce + 1);
         }

@@ -48,6 +48,8 @@ void StageWalk::see(const StageSnapshot& now) {
         case Stage::Miss:
             return miss(now);
         case Stage::Shade:
+        case Stage::ShadeMicrofacet:
+        case Stage::ShadeClassic:
             return shade(now);
         case Stage::Shadow:
             return shadow(now);
@@ -62,6 +64,12 @@ Findings::InputScope StageWalk::scope(Findings& findings, std::uint32_t bounce) 
         const DevicePaths::Place p = paths_.placeOf(before_.batch, static_cast<std::uint32_t>(path));
         return fmt::format("{}: pixel {},{}, sample {}, bounce {}", what_, p.x, p.y, p.index, bounce);
     });
+}
+
+/// Shade group of the triangle that was met.
+std::uint32_t StageWalk::groupOf(const reference::Hit& hit) const {
+    if (hit.triangle >= scene_.triangles.size()) return kNone;
+    return scene_.triangles[hit.triangle].flags >> kTriangleGroupShift & kTriangleGroupMask;
 }
 
 /// Both hold the same slots, each once.
@@ -123,12 +131,18 @@ void StageWalk::intersect(const StageSnapshot& now) {
         }
         compareHit(scene_, state.ray, reference::alphaKey(state.sample.id, bounce, kRayPath), hit, tolerance, f, hits_);
     };
-    const auto rays = before_.queue(bounce, Queue::Ray), hit = now.queue(bounce, Queue::Hit),
-               missed = now.queue(bounce, Queue::Miss);
-    std::vector<std::uint32_t> sorted(hit.begin(), hit.end());
-    sorted.insert(sorted.end(), missed.begin(), missed.end());
-    compareQueue(f, "hit and miss queue", sorted, {rays.begin(), rays.end()});
-    for (const std::uint32_t path : hit) compare(path, true);
+    const auto rays = before_.queue(bounce, Queue::Ray), missed = now.queue(bounce, Queue::Miss);
+    std::vector<std::uint32_t> sorted(missed.begin(), missed.end());
+    for (const Queue queue : kHitQueues) {
+        const auto hit = now.queue(bounce, queue);
+        sorted.insert(sorted.end(), hit.begin(), hit.end());
+    }
+    compareQueue(f, "hit and miss queues", sorted, {rays.begin(), rays.end()});
+    for (std::uint32_t group = 0; group < kGroups; ++group)
+        for (const std::uint32_t path : now.queue(bounce, kHitQueues[group])) {
+            compare(path, true);
+            f.equal("shade groups", groupOf(paths_.hitOf(now, path)), group);
+        }
     for (const std::uint32_t path : missed) compare(path, false);
     compareUntouched(f, now, std::vector<bool>(now.batch.pathCount));
 }
@@ -157,21 +171,26 @@ void StageWalk::miss(const StageSnapshot& now) {
 void StageWalk::shade(const StageSnapshot& now) {
     Findings& f = of(Stage::Shade);
     const std::uint32_t bounce = now.batch.bounce;
+    const Queue hits = kHitQueues[shadeGroupOf(now.stage)];
+    const auto name = kStageNames[static_cast<std::size_t>(now.stage)];
+    // The kernels of the groups append one after the other.
+    const std::uint32_t firstItem = before_.queueSize(bounce, Queue::Shadow),
+                        firstRay = before_.queueSize(bounce + 1, Queue::Ray);
     const auto where = scope(f, bounce);
     const std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
     std::vector<std::uint32_t> shadowOf_(now.batch.pathCount, none);
-    for (std::uint32_t item = 0; item < now.queueSize(bounce, Queue::Shadow); ++item) {
+    for (std::uint32_t item = firstItem; item < now.queueSize(bounce, Queue::Shadow); ++item) {
         const std::uint32_t path = shadowOf(now, item).path;
         if (!f.holds("shadow items", path < now.batch.pathCount && shadowOf_[path] == none, "two of one path"))
             continue;
         shadowOf_[path] = item;
     }
     std::vector<bool> goesOn(now.batch.pathCount), touched(now.batch.pathCount);
-    for (const std::uint32_t path : now.queue(bounce + 1, Queue::Ray)) {
+    for (const std::uint32_t path : now.queue(bounce + 1, Queue::Ray).subspan(firstRay)) {
         f.at(path);
         if (f.holds("ray queue", path < goesOn.size() && !goesOn[path], "holds a path twice")) goesOn[path] = true;
     }
-    for (const std::uint32_t path : before_.queue(bounce, Queue::Hit)) {
+    for (const std::uint32_t path : before_.queue(bounce, hits)) {
         f.at(path);
         touched[path] = true;
         DeviceVertex vertex{added(now, path, bounce == 0), {}, {}};
@@ -179,7 +198,7 @@ void StageWalk::shade(const StageSnapshot& now) {
         if (goesOn[path]) vertex.next = paths_.stateOf(now, path, bounce + 1);
         const reference::PathState state = paths_.stateOf(before_, path, bounce);
         const reference::Hit hit = paths_.hitOf(before_, path);
-        compareParts(f, "shade", partsOf(vertex), [&](Jitter* jitter) {
+        compareParts(f, name, partsOf(vertex), [&](Jitter* jitter) {
             return jitter != nullptr ? partsOf(paths_.tracer().shade(jitter->near(state), jitter->near(hit)))
                                      : partsOf(paths_.tracer().shade(state, hit));
         });

@@ -37,6 +37,7 @@ private:
 
     void compareQueue(Findings& findings, std::string_view name, std::vector<std::uint32_t> actual,
                       std::vector<std::uint32_t> expected);
+    [[nodiscard]] std::uint32_t groupOf(const reference::Hit& hit) const;
     void compareUntouched(Findings& findings, const StageSnapshot& now, const std::vector<bool>& touched);
     [[nodiscard]] glm::dvec3 added(const StageSnapshot& now, std::uint32_t path, bool first) const;
     [[nodiscard]] Findings& of(Stage stage) { return findings_[static_cast<std::size_t>(stage)]; }

@@ -1,0 +1,20 @@
+// Shade group of glTF's own material.
+#include "bsdf/bsdf.glsl"
+#include "microfacet/ggx.glsl"
+#include "math/exponential.glsl"
+#include "microfacet/albedo.glsl"
+#include "bsdf/gltf.glsl"
+
+#define VertexBsdf GltfBsdf
+const uint kShadeQueue = kQueueHit;
+
+GltfBsdf makeVertexBsdf(ShadingPoint p, vec3 wo) {
+    MaterialRecord m = p.material;
+    float roughness = m.roughness * p.maps.metallicRoughness.g;
+    vec3 color = surfaceBaseColor(m, p.uv, p.maps.baseColor).rgb;
+    return makeGltfBsdf(color, m.metallic * p.maps.metallicRoughness.b, roughness * roughness, wo);
+}
+ShadingFrame makeVertexFrame(ShadingPoint p) { return p.frame; }
+
+void evaluateBsdf(GltfBsdf b, vec3 wo, vec3 wi, out vec3 f, out float pdf) { gltfEvaluate(b, wo, wi, f, pdf); }
+BsdfSample sampleBsdf(GltfBsdf b, vec3 wo, float uLobe, vec2 u) { return gltfSample(b, wo, uLobe, u); }

@@ -1,0 +1,130 @@
+// One batch of paths, from camera rays to the film: the stages in order.
+#include <algorithm>
+#include <cstring>
+
+#include "gpu/transfer.h"
+#include "wavefront/renderer_impl.h"
+
+namespace vkpt {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+std::uint32_t groupsFor(std::uint32_t items) { return (items + kGroupSize - 1) / kGroupSize; }
+
+}  // namespace
+
+/// Ends a stage that has just been recorded.
+void WavefrontRenderer::Impl::finish(Stage stage, const BatchParams& batch) {
+    recorder.barrier();
+    if (observer) return show(stage, batch);
+    if (!config.timings) return;
+    stamps.push_back(stage);
+    recorder.timestamp(static_cast<std::uint32_t>(stamps.size()));
+}
+
+/// Runs what is recorded and shows the device to the observer; recording goes on afterwards.
+void WavefrontRenderer::Impl::show(Stage stage, const BatchParams& batch) {
+    recorder.submitAndWait();
+    const StageSnapshot snapshot{stage, batch, readStorage<uvec4>(device, state, 0, stateBytes(capacity) / 16),
+                                 readStorage<std::uint32_t>(device, counters, 0, counterBytes(capacity) / 4)};
+    (*observer)(snapshot);
+    recorder.begin();
+}
+
+void WavefrontRenderer::Impl::recordStart(const FilmBand& band, const BatchParams& batch) {
+    recorder.copy(freshCounters, 0, counters, 0, queueCounterOffset(counterBlocks(), Queue::Ray));
+    recorder.barrier();
+    const QueueCounter all{groupsFor(batch.pathCount), 1, 1, batch.pathCount};
+    recorder.update(counters, queueCounterOffset(0, Queue::Ray), std::as_bytes(std::span(&all, 1)));
+    recorder.barrier();
+    recorder.dispatch(kernels.generate, band.group, batch, groupsFor(batch.pathCount));
+    finish(Stage::Generate, batch);
+}
+
+void WavefrontRenderer::Impl::recordBounces(const FilmBand& band, BatchParams batch, std::uint32_t begin,
+                                            std::uint32_t end) {
+    const auto stage = [&](const Kernel& kernel, Queue queue, Stage id) {
+        recorder.dispatchIndirect(kernel, band.group, batch, counters, queueCounterOffset(batch.bounce, queue));
+        finish(id, batch);
+    };
+    for (batch.bounce = begin; batch.bounce < end; ++batch.bounce) {
+        stage(kernels.intersect, Queue::Ray, Stage::Intersect);
+        if (batch.bounce == 0 && kernels.layers) recordLayers(band, batch);
+        stage(kernels.miss, Queue::Miss, Stage::Miss);
+        for (std::size_t group = 0; group < kernels.shade.size(); ++group)
+            if (kernels.shade[group]) stage(*kernels.shade[group], kHitQueues[group], kShadeStages[group]);
+        if (batch.bounce < options.params.maxDepth) stage(kernels.shadow, Queue::Shadow, Stage::Shadow);
+    }
+}
+
+/// Of the hits of the camera rays.
+void WavefrontRenderer::Impl::recordLayers(const FilmBand& band, const BatchParams& batch) {
+    recorder.dispatch(*kernels.layers, band.group, batch, groupsFor(batch.pixelCount));
+    finish(Stage::Layers, batch);
+}
+
+void WavefrontRenderer::Impl::recordEnd(const FilmBand& band, const BatchParams& batch) {
+    recorder.dispatch(kernels.accumulate, band.group, batch, groupsFor(batch.pixelCount));
+    finish(Stage::Accumulate, batch);
+}
+
+void WavefrontRenderer::Impl::submit(WavefrontStats& stats) {
+    recorder.copy(counters, 0, readback, 0, std::size_t{kQueueBase} * 4);
+    recorder.submitAndWait();
+    if (!config.timings) return;
+    const std::vector<double> times = recorder.timestampsSeconds();
+    for (std::size_t i = 0; i < stamps.size() && i + 1 < times.size(); ++i)
+        stats.stages[static_cast<std::size_t>(stamps[i])].seconds += times[i + 1] - times[i];
+}
+
+void WavefrontRenderer::Impl::renderBatch(const FilmBand& band, BatchParams batch, WavefrontStats& stats) {
+    const auto start = Clock::now();
+    const std::uint32_t bounces = options.params.maxDepth + 1;
+    batch.capacity = capacity;
+    batch.pathCount = batch.pixelCount * batch.sampleCount;
+    batch.filmFirst = band.band.firstPixel;
+    batch.filmLayers = band.band.pixelCount * sizeof(FilmSums) / sizeof(uvec4);
+    bool more = true;
+    for (std::uint32_t begin = 0; more; begin += kBouncesPerSubmit) {
+        const std::uint32_t end = std::min(begin + kBouncesPerSubmit, bounces);
+        stamps.clear();
+        recorder.begin();
+        if (config.timings) recorder.timestamp(0);
+        if (begin == 0) recordStart(band, batch);
+        recordBounces(band, batch, begin, end);
+        if (end == bounces) recordEnd(band, batch);
+        submit(stats);
+        more = end < bounces;
+        QueueCounter left;
+        std::memcpy(&left, readback.map().data() + queueCounterOffset(end, Queue::Ray), sizeof left);
+        if (more && left.items == 0) {  // every path has ended: only the film is left
+            stamps.clear();
+            recorder.begin();
+            if (config.timings) recorder.timestamp(0);
+            recordEnd(band, batch);
+            submit(stats);
+            more = false;
+        }
+    }
+    gatherCounters(stats);
+    stats.paths += batch.pathCount;
+    ++stats.batches;
+    batchSeconds = secondsSince(start);
+}
+
+void WavefrontRenderer::Impl::gatherCounters(WavefrontStats& stats) {
+    const auto* words = reinterpret_cast<const std::uint32_t*>(readback.map().data());
+    for (std::uint32_t b = 0; b < counterBlocks() - 1; ++b) {
+        const auto items = [&](Queue queue) { return words[queueCounterOffset(b, queue) / 4 + 3]; };
+        stats.stages[static_cast<std::size_t>(Stage::Intersect)].items += items(Queue::Ray);
+        stats.stages[static_cast<std::size_t>(Stage::Miss)].items += items(Queue::Miss);
+        for (std::size_t group = 0; group < kShadeStages.size(); ++group)
+            stats.stages[static_cast<std::size_t>(kShadeStages[group])].items += items(kHitQueues[group]);
+        stats.stages[static_cast<std::size_t>(Stage::Shadow)].items += items(Queue::Shadow);
+    }
+    stats.refused = words[kRefusedCounter];
+    stats.refusedInLayers = words[kRefusedInLayersCounter];
+}
+
+}  // namespace vkpt

@@ -1,0 +1,130 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "base/error.h"
+#include "dimensions.h"
+#include "wavefront/renderer_impl.h"
+
+namespace vkpt {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::uint32_t kDefaultPaths = 1U << 18;
+
+struct Frame {  // the uniform block of shaders/geometry/fetch.glsl
+    SceneHeader scene;
+    RenderParams render;
+};
+
+bool useTexels(const Device& device, WavefrontConfig::Fetch fetch, std::size_t bytes) {
+    const bool texelsFit = TexelView::fits(device, bytes);
+    const bool storageFits = bytes <= device.info().limits.maxStorageBufferRange;
+    if (!texelsFit && !storageFits)
+        throw DeviceError(fmt::format("the scene needs {} MiB in one buffer; {} binds at most {} MiB", bytes >> 20,
+                                      device.info().name,
+                                      std::max<std::uint64_t>(device.info().limits.maxStorageBufferRange,
+                                                              device.info().limits.maxTexelBufferElements * 16) >>
+                                          20));
+    if (fetch == WavefrontConfig::Fetch::Texel && !texelsFit)
+        throw DeviceError("--fetch texel: the scene exceeds the device's maxTexelBufferElements; use storage");
+    if (fetch == WavefrontConfig::Fetch::Storage && !storageFits)
+        throw DeviceError("--fetch storage: the scene exceeds the device's maxStorageBufferRange; use texel");
+    if (fetch != WavefrontConfig::Fetch::Auto) return fetch == WavefrontConfig::Fetch::Texel;
+    return texelsFit && (device.info().isCpu || !storageFits);
+}
+
+/// Path state is read through texels where kernels run on the CPU: a load takes a third of the time there.
+bool useStateTexels(const Device& device, WavefrontConfig::Fetch fetch, std::size_t bytes) {
+    return fetch != WavefrontConfig::Fetch::Storage && device.info().isCpu && TexelView::fits(device, bytes);
+}
+
+/// What kernels that know N fold: grids of strata, their reciprocals, lengths of loops.
+std::uint32_t setSamples(const RenderOptions& options) {
+    return samplerInfo(options.sampler.id).counts == SampleCounts::Any ? 0 : options.params.spp;
+}
+
+/// One beyond the last dimension that its paths may draw.
+std::uint64_t dimensionsOf(const RenderOptions& options) {
+    return kDimBounce + (std::uint64_t{options.params.maxDepth} + 1) * kDimBounceStride;
+}
+
+}  // namespace
+
+WavefrontRenderer::Impl::Impl(const SceneArrays& arrays, const RenderOptions& renderOptions,
+                              const WavefrontConfig& wavefrontConfig)
+    : options(renderOptions),
+      config(wavefrontConfig),
+      device({config.device, config.validation}),
+      layout(planScene(arrays, options.sampler)),
+      filmLayout(options.aovs),
+      capacity(config.pathsInFlight != 0 ? config.pathsInFlight : kDefaultPaths),
+      texels(useTexels(device, config.fetch, layout.bytes)),
+      stateTexel(useStateTexels(device, config.fetch, stateBytes(capacity))),
+      ballot(config.ballot && device.info().subgroupBallot),
+      kernels(device, config.kernels ? config.kernels : SpirvSource(kernelSpirv),
+              specializationOf(arrays.features, layout.header,
+                               {.sampler = options.sampler,
+                                .lastIndex = std::max(options.params.spp, 1U) - 1,
+                                .setSamples = setSamples(options),
+                                .manyDimensions = dimensionsOf(options) > kHaltonDimensions,
+                                .fetchTexel = texels,
+                                .useBallot = ballot,
+                                .stateTexel = stateTexel,
+                                .film = filmLayout}),
+              arrays.features.bsdfModels, ballot, filmLayout.hasSurfaceLayer()),
+      recorder(device, config.timings ? (kStageNames.size() - 3) * kBouncesPerSubmit + 5 : 0),
+      pathsPerBatch(capacity) {
+    if (counterBlocks() > kMaxBounceBlocks)
+        throw Error(ExitCode::Usage,
+                    fmt::format("--max-depth {}: at most {}", options.params.maxDepth, kMaxBounceBlocks - 2));
+    const auto start = Clock::now();
+    createBuffers(arrays);
+    uploadSeconds = secondsSince(start);
+}
+
+void WavefrontRenderer::Impl::createBuffers(const SceneArrays& arrays) {
+    const auto& limits = device.info().limits;
+    const std::uint32_t width = options.params.width, height = options.params.height;
+    const auto bandList = makeBands(width, height, limits.maxStorageBufferRange / filmBytesPerPixel());
+    plan.add("scene", layout.bytes, !texels);
+    plan.add("path state", stateBytes(capacity));
+    plan.add("queues", counterBytes(capacity));
+    for (const Band& band : bandList) plan.add("film", band.pixelCount * filmBytesPerPixel());
+    plan.check(device.info());
+
+    const std::size_t counterBytesUsed = std::size_t{kQueueBase} * 4;
+    frame = Buffer(device, BufferUse::Uniform, sizeof(Frame), "frame");
+    scene = Buffer(device, BufferUse::Storage, layout.bytes, "scene");
+    dummy = Buffer(device, BufferUse::Storage, 16, "dummy");
+    state = Buffer(device, BufferUse::Storage, stateBytes(capacity), "path state");
+    counters = Buffer(device, BufferUse::Indirect, counterBytes(capacity), "queues");
+    freshCounters = Buffer(device, BufferUse::Upload, counterBytesUsed, "fresh counters");
+    readback = Buffer(device, BufferUse::Readback, counterBytesUsed, "counters read back");
+    sceneTexels = texels ? TexelView(device, scene, VK_FORMAT_R32G32B32A32_UINT, 0, layout.bytes)
+                         : TexelView(device, dummy, VK_FORMAT_R32G32B32A32_UINT, 0, 16);
+    stateTexels = stateTexel ? TexelView(device, state, VK_FORMAT_R32G32B32A32_UINT, 0, stateBytes(capacity))
+                             : TexelView(device, dummy, VK_FORMAT_R32G32B32A32_UINT, 0, 16);
+
+    writeFrame();
+    const std::vector<QueueCounter> fresh(counterBytesUsed / sizeof(QueueCounter) - 4);
+    std::memset(freshCounters.map().data(), 0, counterBytesUsed);
+    std::memcpy(freshCounters.map().data(), fresh.data(), fresh.size() * sizeof(QueueCounter));
+    uploadScene(device, scene, arrays, layout);
+    for (const Band& band : bandList) {
+        FilmBand b{band, Buffer(device, BufferUse::Storage, band.pixelCount * filmBytesPerPixel(), "film"), {}};
+        const std::array<Binding, 7> bindings = {
+            frame, texels ? dummy : scene, sceneTexels, state, counters, b.film, stateTexels};
+        b.group = BindGroup(device, kernels.generate, bindings);
+        bands.push_back(std::move(b));
+    }
+}
+
+void WavefrontRenderer::Impl::writeFrame() {
+    const Frame contents{layout.header, options.params};
+    std::memcpy(frame.map().data(), &contents, sizeof contents);
+}
+
+}  // namespace vkpt
