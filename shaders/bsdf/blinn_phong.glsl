@@ -1,5 +1,5 @@
 // Diffuse, and a cosine lobe around the half vector. Normalised as the lecture does, which gains energy, or so
-// that the directional albedo at normal incidence is 1. [Akenine 08]
+// that the directional albedo at normal incidence is 1. [Giesen 09]
 float blinnPhongShare(SurfaceBsdf b) { return specularShare(luminance(b.r.color), luminance(b.r.diffuse)); }
 
 BsdfValue blinnPhongEvaluate(SurfaceBsdf b, vec3 wo, vec3 wi) {

@@ -14,5 +14,7 @@ void checkShadow(VerifyContext&, Findings&);
 void checkAccumulate(VerifyContext&, Findings&);
 /// All kernels on a small scene in memory that has every feature.
 void checkEveryFeature(VerifyContext&, Findings&);
+/// The same of a scene that has every BSDF model, with interreflection.
+void checkEveryBsdf(VerifyContext&, Findings&);
 
 }  // namespace vkpt

@@ -48,6 +48,10 @@ void addObject(Scene& scene, Primitive primitive, const std::vector<glm::mat4>& 
 /// Lamps and foliage under a sky: every feature of the kernels but normal maps, and instances where they are asked for.
 [[nodiscard]] SceneArrays makeEverything(bool instances = false);
 
+/// A patch of every BSDF model, some of them twice (smooth, rough, anisotropic under a normal map), among the lamps and
+/// under a sky. Light passes through the dielectrics.
+[[nodiscard]] SceneArrays makeBsdfPatches(bool multiscatter);
+
 /// A camera before the lamps, 5 bounces, roulette after 3; samples [0, samples) of as many.
 [[nodiscard]] RenderOptions makeOptions(std::uint32_t width, std::uint32_t height, std::uint32_t samples);
 

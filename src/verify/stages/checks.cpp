@@ -4,6 +4,21 @@
 #include "verify/stages/walk.h"
 
 namespace vkpt {
+namespace {
+
+void walk(VerifyContext& context, Findings& findings, const SceneArrays& arrays, const std::string& what) {
+    const RenderOptions options = makeOptions(64, 48, 2);
+    WavefrontConfig config = context.config().wavefront;
+    config.pathsInFlight = options.params.width * options.params.height * 2;
+    WavefrontRenderer renderer(arrays, options, config);
+    StageWalk walk(arrays, options, what);
+    walk.run(renderer, 0, options.params.width * options.params.height);
+    walk.finish();
+    for (std::size_t stage = 0; stage < kStages; ++stage)
+        findings.add(kStageNames[stage], walk.findings(static_cast<Stage>(stage)));
+}
+
+}  // namespace
 
 void checkGenerate(VerifyContext& context, Findings& f) { f = context.stages().findings(Stage::Generate); }
 void checkIntersect(VerifyContext& context, Findings& f) { f = context.stages().findings(Stage::Intersect); }
@@ -13,16 +28,11 @@ void checkShadow(VerifyContext& context, Findings& f) { f = context.stages().fin
 void checkAccumulate(VerifyContext& context, Findings& f) { f = context.stages().findings(Stage::Accumulate); }
 
 void checkEveryFeature(VerifyContext& context, Findings& findings) {
-    const SceneArrays arrays = makeEverything(true);
-    const RenderOptions options = makeOptions(64, 48, 2);
-    WavefrontConfig config = context.config().wavefront;
-    config.pathsInFlight = options.params.width * options.params.height * 2;
-    WavefrontRenderer renderer(arrays, options, config);
-    StageWalk walk(arrays, options, "every feature");
-    walk.run(renderer, 0, options.params.width * options.params.height);
-    walk.finish();
-    for (std::size_t stage = 0; stage < kStages; ++stage)
-        findings.add(kStageNames[stage], walk.findings(static_cast<Stage>(stage)));
+    walk(context, findings, makeEverything(true), "every feature");
+}
+
+void checkEveryBsdf(VerifyContext& context, Findings& findings) {
+    walk(context, findings, makeBsdfPatches(true), "every bsdf");
 }
 
 }  // namespace vkpt
