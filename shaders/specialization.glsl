@@ -32,6 +32,5 @@ layout(constant_id = 26) const uint kIdsWord = kNone;
 layout(constant_id = 27) const uint kLuminanceWord = kNone;
 // N of the render where the sampler's points depend on it; 0: unknown until the kernel runs.
 layout(constant_id = 28) const uint kSetSamples = 0u;
-layout(constant_id = 29) const uint kManyDimensions = 1u;  // paths may draw more than the kHaltonDimensions lowest
 const bool kHasSurfaceLayers = kAlbedoWord != kNone || kNormalWord != kNone || kDepthWord != kNone ||
                                kPositionWord != kNone || kUvWord != kNone || kIdsWord != kNone;

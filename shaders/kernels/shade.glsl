@@ -1,7 +1,6 @@
 // Stage 3b: paths that met a surface: its emission, one light sample, one BSDF sample, Russian roulette.
 // The steps are those of estimator.md.
 #include "kernels/preamble.glsl"
-const uint kFirstDimension = kDimBounce;
 #include "kernels/draw.glsl"
 #include "kernels/append.glsl"
 #include "kernels/contribution.glsl"
@@ -90,8 +89,9 @@ ShadowItem sampleDirect(PathVertex v, vec3 wo) {
 
 // Steps 6 and 7: the next segment; false where the path ends.
 bool samplePathDirection(PathVertex v, vec3 wo, out vec3 direction, out vec3 throughput, out float pdf) {
-    vec2 choices = toUnit(v.numbers[kDimLobe / 2u]);  // of a lobe; kDimRoulette: to survive
-    BsdfSample s = gltfSample(v.bsdf, wo, choices.x, toUnit(v.numbers[kDimBsdf / 2u]));
+    vec2 u = toUnit(v.numbers[kDimBsdf / 2u]);  // the first chooses the lobe; what is left, the direction
+    vec2 rest = vec2(restOfChoice(u.x, gltfSpecularProbability(v.bsdf, wo.z)), u.y);
+    BsdfSample s = gltfSample(v.bsdf, wo, u.x, rest);
     direction = toWorld(v.point.frame, s.wi);
     throughput = v.throughput * s.weight;
     pdf = s.pdf;
@@ -99,7 +99,7 @@ bool samplePathDirection(PathVertex v, vec3 wo, out vec3 direction, out vec3 thr
     if (brightest <= 0.0 || dot(direction, v.point.ng) <= 0.0) return false;
     if (render.rrMode != kRouletteOff && batch.bounce + 1u >= render.rrDepth) {
         float q = render.rrMode == kRouletteFixed ? render.rrFixed : min(1.0, brightest);
-        if (choices.y >= q) return false;
+        if (toUnit(v.numbers[kDimRoulette / 2u].y) >= q) return false;
         throughput /= q;
     }
     return true;

@@ -14,5 +14,5 @@ void main() {
     putWord(4u, uvec4(kLightSteps, kRowSteps, kColumnSteps, kScramble));
     putWord(5u, uvec4(kLayerWords, kAlbedoWord, kNormalWord, kDepthWord));
     putWord(6u, uvec4(kPositionWord, kUvWord, kIdsWord, kLuminanceWord));
-    putWord(7u, uvec4(kSetSamples, kManyDimensions, 0u, 0u));
+    putWord(7u, uvec4(kSetSamples, 0u, 0u, 0u));
 }

@@ -7,6 +7,7 @@
 #include "reference/frame.h"
 #include "reference/layers.h"
 #include "reference/traverse.h"
+#include "reference/warp.h"
 
 namespace vkpt::reference {
 
@@ -100,8 +101,8 @@ private:
     /// Draws the next ray; nothing where the path ends.
     [[nodiscard]] std::optional<PathState> scatter(const Scattering& at) const {
         const PathSample& sample = state_.sample;
-        const auto drawn =
-            sampleBsdf(at.bsdf, at.wo, sample.get1D(dimension(kDimLobe)), sample.get2D(dimension(kDimBsdf)));
+        const Vec2<float> u = sample.get2D(dimension(kDimBsdf));
+        const auto drawn = sampleBsdf(at.bsdf, at.wo, u.x, {afterChoice(u.x, at.bsdf.pSpecular), u.y});
         const glm::vec3 wi = at.frame.toWorld(drawn.wi);
         if (isBlack(drawn.weight) || glm::dot(wi, point_.ng) <= 0) return std::nullopt;
         const glm::vec3 throughput = state_.throughput * drawn.weight;

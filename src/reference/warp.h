@@ -2,6 +2,7 @@
 #pragma once
 #include <algorithm>
 
+#include "constants.h"
 #include "reference/angle.h"
 
 namespace vkpt::reference {
@@ -33,6 +34,12 @@ template <class Real>
         u.x -= u.y;
     }
     return {u.x, u.y, 1 - u.x - u.y};
+}
+
+/// Uniform in [0,1) again: the part of u that its comparison with `share` has not used up. [Shirley 96]
+[[nodiscard]] inline float afterChoice(float u, float share) {
+    const float into = u < share ? u / share : (u - share) / (1 - share);
+    return std::min(into, kBelowOne);
 }
 
 }  // namespace vkpt::reference

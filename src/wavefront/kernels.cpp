@@ -43,8 +43,7 @@ std::vector<std::uint32_t> specializationOf(const SceneFeatures& f, const SceneH
             options.film.firstWord(Layer::Uv),
             options.film.firstWord(Layer::Ids),
             options.film.firstWord(Layer::Luminance),
-            options.setSamples,
-            options.manyDimensions};
+            options.setSamples};
 }
 
 WavefrontKernels::WavefrontKernels(Device& device, const SpirvSource& spirv,

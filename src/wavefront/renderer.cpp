@@ -8,7 +8,6 @@
 #include <limits>
 
 #include "base/error.h"
-#include "dimensions.h"
 #include "gpu/device.h"
 #include "gpu/memory_plan.h"
 #include "gpu/recorder.h"
@@ -68,11 +67,6 @@ bool useStateTexels(const Device& device, WavefrontConfig::Fetch fetch, std::siz
 /// What kernels that know N fold: grids of strata, their reciprocals, lengths of loops.
 std::uint32_t setSamples(const RenderOptions& options) {
     return samplerInfo(options.sampler.id).counts == SampleCounts::Any ? 0 : options.params.spp;
-}
-
-/// One beyond the last dimension that its paths may draw.
-std::uint64_t dimensionsOf(const RenderOptions& options) {
-    return kDimBounce + (std::uint64_t{options.params.maxDepth} + 1) * kDimBounceStride;
 }
 
 }  // namespace
@@ -152,7 +146,6 @@ WavefrontRenderer::Impl::Impl(const SceneArrays& arrays, const RenderOptions& re
                                {.sampler = options.sampler,
                                 .lastIndex = std::max(options.params.spp, 1U) - 1,
                                 .setSamples = setSamples(options),
-                                .manyDimensions = dimensionsOf(options) > kHaltonDimensions,
                                 .fetchTexel = texels,
                                 .useBallot = ballot,
                                 .stateTexel = stateTexel,

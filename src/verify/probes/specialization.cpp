@@ -17,7 +17,7 @@ struct Constants {
 using Named = std::pair<const char*, std::uint32_t>;
 
 /// All constants by name, in the order in which the probe writes them.
-std::array<Named, 30> namesAndValues(const Constants& c) {
+std::array<Named, 29> namesAndValues(const Constants& c) {
     const auto& [f, h, o] = c;
     const auto flag = [](bool b) { return b ? 1U : 0U; };
     return {Named{"kSampler", static_cast<std::uint32_t>(o.sampler.id)},
@@ -48,8 +48,7 @@ std::array<Named, 30> namesAndValues(const Constants& c) {
             {"kUvWord", o.film.firstWord(Layer::Uv)},
             {"kIdsWord", o.film.firstWord(Layer::Ids)},
             {"kLuminanceWord", o.film.firstWord(Layer::Luminance)},
-            {"kSetSamples", o.setSamples},
-            {"kManyDimensions", flag(o.manyDimensions)}};
+            {"kSetSamples", o.setSamples}};
 }
 
 /// Round `bit` of a set in which no two flags are the same in all rounds; the numbers differ in any.
@@ -59,7 +58,7 @@ Constants makeConstants(std::uint32_t bit) {
     std::uint32_t number = 0;
     for (bool* flag :
          {&f.instances, &f.alpha, &f.textureTransforms, &f.vertexExtras, &f.triangleLights, &f.texturedEmission,
-          &f.punctualLights, &f.environment, &f.unlit, &o.fetchTexel, &o.useBallot, &o.stateTexel, &o.manyDimensions})
+          &f.punctualLights, &f.environment, &f.unlit, &o.fetchTexel, &o.useBallot, &o.stateTexel})
         *flag = (++number >> bit & 1U) != 0;
     f.maps = 13;
     f.mapSets = 9;
@@ -76,7 +75,7 @@ Constants makeConstants(std::uint32_t bit) {
 }  // namespace
 
 void checkSpecialization(VerifyContext& context, Findings& findings) {
-    constexpr std::uint32_t kRounds = 4;  // 13 flags
+    constexpr std::uint32_t kRounds = 4;  // 12 flags
     for (std::uint32_t round = 0; round < kRounds; ++round) {
         const Constants constants = makeConstants(round);
         ProbeOptions options;
