@@ -32,10 +32,9 @@ layout(constant_id = 26) const uint kIdsWord = kNone;
 layout(constant_id = 27) const uint kLuminanceWord = kNone;
 // N of the render where the sampler's points depend on it; 0: unknown until the kernel runs.
 layout(constant_id = 28) const uint kSetSamples = 0u;
-layout(constant_id = 29) const uint kManyDimensions = 1u;  // paths may draw more than the kHaltonDimensions lowest
 // Models (ids of registry.def) and shade groups (kGroup*) that the scene has, a bit each.
-layout(constant_id = 30) const uint kBsdfModels = 1u;
-layout(constant_id = 31) const uint kShadeGroups = 1u;
-layout(constant_id = 32) const uint kMultiscatter = 0u;    // interreflection between facets is compensated
+layout(constant_id = 29) const uint kBsdfModels = 1u;
+layout(constant_id = 30) const uint kShadeGroups = 1u;
+layout(constant_id = 31) const uint kMultiscatter = 0u;    // interreflection between facets is compensated
 const bool kHasSurfaceLayers = kAlbedoWord != kNone || kNormalWord != kNone || kDepthWord != kNone ||
                                kPositionWord != kNone || kUvWord != kNone || kIdsWord != kNone;

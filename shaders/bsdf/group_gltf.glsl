@@ -17,4 +17,11 @@ GltfBsdf makeVertexBsdf(ShadingPoint p, vec3 wo) {
 ShadingFrame makeVertexFrame(ShadingPoint p) { return p.frame; }
 
 void evaluateBsdf(GltfBsdf b, vec3 wo, vec3 wi, out vec3 f, out float pdf) { gltfEvaluate(b, wo, wi, f, pdf); }
-BsdfSample sampleBsdf(GltfBsdf b, vec3 wo, float uLobe, vec2 u) { return gltfSample(b, wo, uLobe, u); }
+
+// The first number of the direction chooses the lobe; what is left of it goes on. [estimator.md, step 6]
+BsdfSample sampleBsdf(GltfBsdf b, vec3 wo, float uLobe, vec2 u) {
+    GltfChoices choices = gltfChoices(b, wo.z);
+    float rest = restOfChoice(u.x, choices.specular);
+    if (kMultiscatter != 0u && u.x >= choices.specular) rest = restOfChoice(rest, choices.interreflection);
+    return gltfSample(b, wo, u.x, vec2(rest, u.y));
+}

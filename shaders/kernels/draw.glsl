@@ -1,5 +1,4 @@
-// Random numbers of a path, for kernels that draw some. Before they include this they define kFirstDimension, the lowest
-// dimension that they draw.
+// Random numbers of a path, for kernels that draw some.
 #include "samplers.glsl"
 
 vec2 toUnit(uvec2 bits) { return vec2(toUnit(bits.x), toUnit(bits.y)); }

@@ -2,7 +2,6 @@
 // Stage 1: a camera ray for every path of the batch. Its sums begin at the first stage that adds to them.
 #extension GL_GOOGLE_include_directive : require
 #include "kernels/preamble.glsl"
-const uint kFirstDimension = kDimFilter;
 #include "kernels/draw.glsl"
 
 struct CameraRay {

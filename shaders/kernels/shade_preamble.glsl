@@ -1,6 +1,5 @@
 // What every shade kernel includes before the file of its group.
 #include "kernels/preamble.glsl"
-const uint kFirstDimension = kDimBounce;
 #include "kernels/draw.glsl"
 #include "kernels/append.glsl"
 #include "kernels/contribution.glsl"

@@ -27,3 +27,6 @@ vec2 squareToTriangle(vec2 u) {
     }
     return u;
 }
+
+// What choosing the first of two by u < p leaves of u, from 0 to below 1. [Shirley 96]
+float restOfChoice(float u, float p) { return min(u < p ? u / p : (u - p) / (1.0 - p), kBelowOne); }

@@ -3,7 +3,6 @@
 #extension GL_GOOGLE_include_directive : require
 const uint kInputWords = 2u, kOutputWords = 1u;
 #include "probes/scene_probe.glsl"
-const uint kFirstDimension = 0u;
 #include "samplers.glsl"
 
 void main() {

@@ -2,7 +2,7 @@
 // In: nothing that counts. Out: every specialization constant, four a word. src/verify/probes/specialization.cpp lists
 // the same.
 #extension GL_GOOGLE_include_directive : require
-const uint kInputWords = 1u, kOutputWords = 9u;
+const uint kInputWords = 1u, kOutputWords = 8u;
 #include "probes/probe.glsl"
 
 void main() {
@@ -14,6 +14,5 @@ void main() {
     putWord(4u, uvec4(kLightSteps, kRowSteps, kColumnSteps, kScramble));
     putWord(5u, uvec4(kLayerWords, kAlbedoWord, kNormalWord, kDepthWord));
     putWord(6u, uvec4(kPositionWord, kUvWord, kIdsWord, kLuminanceWord));
-    putWord(7u, uvec4(kSetSamples, kManyDimensions, kBsdfModels, kShadeGroups));
-    putWord(8u, uvec4(kMultiscatter, 0u, 0u, 0u));
+    putWord(7u, uvec4(kSetSamples, kBsdfModels, kShadeGroups, kMultiscatter));
 }

@@ -1,4 +1,4 @@
 // Halton's sequence: dimension d is the radical inverse of the index in the d-th prime. [Halton 60]
 #include "samplers/radical_inverse.glsl"
 
-uint haltonBits(SampleId id, uint dim) { return haltonDimension(id, dim); }
+uvec2 haltonPair(SampleId id, uint pair) { return haltonDimensions(id, uvec2(2u * pair, 2u * pair + 1u)); }

@@ -15,9 +15,13 @@ uint fixedPointRatio(uint a, uint b) {
     return ratio + (0u - ratio * b >= b ? 1u : 0u);  // 2^32 a - ratio b, of which 32 bits suffice
 }
 
-uint hammersleyBits(SampleId id, uint dim) {
-    if (dim != 0u) return haltonDimension(id, dim - 1u);
+uint hammersleyFirst(SampleId id) {
     uint bits = fixedPointRatio(id.index % id.spp, id.spp), key = samplerKey(id.pixel, kNone, id.seed, 0u).x;
     if (kScramble == kScrambleOwen) return owenScramble(bits, key);
     return kScramble == kScrambleDigit ? bits ^ key : bits;
+}
+
+uvec2 hammersleyPair(SampleId id, uint pair) {
+    uvec2 halton = haltonDimensions(id, uvec2(max(2u * pair, 1u) - 1u, 2u * pair));
+    return uvec2(pair == 0u ? hammersleyFirst(id) : halton.x, halton.y);
 }

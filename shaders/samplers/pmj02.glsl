@@ -12,9 +12,7 @@ uint shuffleProgressively(uint index, uint key) {
 
 uvec2 pmj02Pair(SampleId id, uint pair) {
     uint copy = id.index / kPmj02Points;
-    // A bounce uses the first four of its eight pairs: those of the camera and seven bounces get tables of their own.
-    uint order = (pair & 3u) + 4u * ((pair + 4u) >> 3u);
-    uint table = (samplerKey(id.pixel, kNone, id.seed, copy).x + order) % kPmj02Tables;
+    uint table = (samplerKey(id.pixel, kNone, id.seed, copy).x + pair) % kPmj02Tables;
     uvec4 key = samplerKey(id.pixel, pair, id.seed, copy);
     uint point = table * kPmj02Points + shuffleProgressively(id.index % kPmj02Points, key.z);
     uint packed = sceneWord(scene.samplerTable + (point >> 2u))[point & 3u];

@@ -11,45 +11,68 @@ uint faureDigit(uint first, uint digit) {
     return (sceneWord(scene.samplerTable + (element >> 3u))[(element >> 1u) & 3u] >> ((element & 1u) * 16u)) & 0xffffu;
 }
 
-// The next digit of an index, the lowest first; `key` changes from digit to digit.
-uint scrambledDigit(uint digit, Divisor base, uint faureFirst, inout uint key) {
-    if (kScramble == kScrambleFaure) return faureDigit(faureFirst, digit);
-    if (kScramble == kScrambleNone) return digit;
-    uint node = mixBits(key);
-    key = kScramble == kScrambleOwen ? node ^ digit : node;
-    uint factor = 1u + (((node * 0x9e3779b9u) >> 16u) * (base.d - 1u) >> 16u);
-    return divide(factor * digit + multiplyHigh(node, base.d), base).y;
+// An index on its way to its inverse, digit by digit from the lowest.
+struct DigitWalk {
+    uvec4 entry;  // of the table
+    Divisor base;
+    uint rest, value, key;
+};
+
+// `d`: number of a prime. `key` names the scramble.
+DigitWalk beginWalk(uint index, uint d, uint key) {
+    uvec4 entry = sceneWord(scene.samplerTable + d);
+    return DigitWalk(entry, Divisor(entry.x & 0x7ffu, entry.y), index, 0u, key);
 }
 
-// Bases from 17 on have 6 digits at most, and those are all that bounces draw while their dimensions do not repeat;
-// base 2 has 24. A loop of known length may unroll.
-const uint kDigitsAtOnce = 6u;
-const uint kMostDigits = kFirstDimension >= kDimBounce && kManyDimensions == 0u ? kDigitsAtOnce : 24u;
+uint digitsOf(DigitWalk w) { return (w.entry.x >> 11u) & 31u; }
 
-// Inverse of `index` in prime number `d`, 32-bit fixed point; digits beyond 24 bits do not count.
 // none; faure: one permutation a base [Faure 92]; digit: a random one a place; owen: a random one a node of the digit
 // tree. Random ones are affine maps modulo b: any two digits go to any two others alike, which is all that the variance
 // of nested uniform scrambling rests on. [Owen 03]
-uint radicalInverse(uint index, uint d, uint key) {
-    uvec4 entry = sceneWord(scene.samplerTable + d);
-    Divisor base = Divisor(entry.x & 0x7ffu, entry.y);
-    uint digits = (entry.x >> 11u) & 31u, rest = index, value = 0u;
-    for (uint k = 0u; k < kMostDigits; k += kDigitsAtOnce) {
-        for (uint j = 0u; j < kDigitsAtOnce; ++j) {
-            uvec2 split = divide(rest, base);
-            rest = split.x;
-            uint digit = scrambledDigit(split.y, base, entry.w, key);
-            value = k + j < digits ? value * base.d + digit : value;
-        }
-    }
-    return value * (entry.x >> 16u) + multiplyHigh(value, entry.z);
+uint scrambleDigit(inout DigitWalk w, uint digit) {
+    if (kScramble == kScrambleFaure) return faureDigit(w.entry.w, digit);
+    if (kScramble == kScrambleNone) return digit;
+    uint node = mixBits(w.key);
+    w.key = kScramble == kScrambleOwen ? node ^ digit : node;
+    uint factor = 1u + (((node * 0x9e3779b9u) >> 16u) * (w.base.d - 1u) >> 16u);
+    return divide(factor * digit + multiplyHigh(node, w.base.d), w.base).y;
 }
 
-// Dimension `dim`, its bases repeating. What is not scrambled is at least rotated where it repeats.
-uint haltonDimension(SampleId id, uint dim) {
-    uint bits = radicalInverse(id.index, dim % kHaltonDimensions, samplerKey(id.pixel, dim, id.seed, 0u).x);
-    if ((kScramble == kScrambleNone || kScramble == kScrambleFaure) && dim >= kHaltonDimensions)
-        bits += samplerKey(0u, dim, 0u, 0u).x;
-    return bits;
+// Digit number k; those beyond 24 bits do not count.
+void takeDigit(inout DigitWalk w, uint k) {
+    uvec2 split = divide(w.rest, w.base);
+    w.rest = split.x;
+    uint digit = scrambleDigit(w, split.y);
+    w.value = k < digitsOf(w) ? w.value * w.base.d + digit : w.value;
+}
+
+uint inverseOf(DigitWalk w) { return w.value * (w.entry.x >> 16u) + multiplyHigh(w.value, w.entry.z); }
+
+// Inverses of `index` in prime numbers d.x and d.y, 32-bit fixed point. Two at a time, and six digits at a time, which
+// is all that bases from 17 on have: a loop saves and loads all that is live at each round.
+const uint kDigitsAtOnce = 6u;
+
+uvec2 radicalInverses(uint index, uvec2 d, uvec2 keys) {
+    DigitWalk a = beginWalk(index, d.x, keys.x), b = beginWalk(index, d.y, keys.y);
+    uint digits = max(digitsOf(a), digitsOf(b));
+    for (uint begin = 0u; begin < digits; begin += kDigitsAtOnce) {
+        for (uint k = 0u; k < kDigitsAtOnce; ++k) {
+            takeDigit(a, begin + k);
+            takeDigit(b, begin + k);
+        }
+    }
+    return uvec2(inverseOf(a), inverseOf(b));
+}
+
+// What is not scrambled is at least rotated where bases repeat.
+uint rotationOf(uint dim) {
+    bool plain = kScramble == kScrambleNone || kScramble == kScrambleFaure;
+    return plain && dim >= kHaltonDimensions ? samplerKey(0u, dim, 0u, 0u).x : 0u;
+}
+
+// Two dimensions of Halton's sequence.
+uvec2 haltonDimensions(SampleId id, uvec2 dims) {
+    uvec2 keys = uvec2(samplerKey(id.pixel, dims.x, id.seed, 0u).x, samplerKey(id.pixel, dims.y, id.seed, 0u).x);
+    return radicalInverses(id.index, dims % kHaltonDimensions, keys) + uvec2(rotationOf(dims.x), rotationOf(dims.y));
 }
 #endif

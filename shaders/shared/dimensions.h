@@ -6,17 +6,17 @@
 namespace vkpt {
 #endif
 
-// Camera: 0 to 7.
+// The lower a dimension of Sobol' or Halton, the better it goes with the others: none is left out, what matters most
+// comes first. A lens would take 2 and 3, and bounces begin at 4.
 VKPT_CONST uint kDimFilter = 0u;  // 2D: position in the pixel
-VKPT_CONST uint kDimLens = 2u;    // 2D: reserved
 
 // Bounce b (0 at the first surface): kDimBounce + b * kDimBounceStride + one of the following.
-VKPT_CONST uint kDimBounce = 8u;
-VKPT_CONST uint kDimBounceStride = 16u;
-VKPT_CONST uint kDimLobe = 0u;      // which lobe of the BSDF
-VKPT_CONST uint kDimRoulette = 1u;  // Russian roulette; drawn as a pair with kDimLobe
-VKPT_CONST uint kDimBsdf = 2u;      // 2D: direction
-VKPT_CONST uint kDimLight = 4u;     // 2D: which light, and the position on it
+VKPT_CONST uint kDimBounce = 2u;
+VKPT_CONST uint kDimBounceStride = 6u;
+VKPT_CONST uint kDimBsdf = 0u;      // 2D: which lobe, and the direction
+VKPT_CONST uint kDimLight = 2u;     // 2D: which light, and the position on it
+VKPT_CONST uint kDimLobe = 4u;      // reserved: choices of a BSDF that its direction must not depend on
+VKPT_CONST uint kDimRoulette = 5u;  // Russian roulette; a pair with kDimLobe
 
 #ifdef __cplusplus
 }  // namespace vkpt

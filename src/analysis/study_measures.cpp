@@ -104,7 +104,7 @@ Study studySpectrum(const StudyRequest& request) {
     const int extent = std::clamp(static_cast<int>(2.5 * std::sqrt(static_cast<double>(request.count))), 8, 100);
     PanelSheet sheet(request.samplers.size(), 220, 4);
     std::vector<Curve> curves;
-    study.table = fmt::format("{:<16}{:>8}{:>22}{:>22}\n", "", "N", "power below root N / 4", "power near root N");
+    study.table = fmt::format("{:<16}{:>8}{:>26}{:>22}\n", "", "N", "power below root N / 4", "power near root N");
     for (std::size_t i = 0; i < request.samplers.size(); ++i) {
         std::vector<Spectrum> spectra;
         for (std::uint32_t s = 0; s < kSpectrumSeeds; ++s)
@@ -118,7 +118,7 @@ Study studySpectrum(const StudyRequest& request) {
         double low = 0;
         const std::size_t rings = std::max<std::size_t>(root / 4, 1);
         for (std::size_t f = 0; f < rings; ++f) low += radial[f] / static_cast<double>(rings);
-        study.table += fmt::format("{:<16}{:>8}{:>22.4f}{:>22.4f}\n", request.samplers[i].name,
+        study.table += fmt::format("{:<16}{:>8}{:>26.4f}{:>22.4f}\n", request.samplers[i].name,
                                    request.samplers[i].roundedCount(request.count), low,
                                    radial[std::min(root, radial.size()) - 1]);
         study.json.push_back({{"sampler", request.samplers[i].name},

@@ -36,6 +36,10 @@ template <class Real>
 template <class Real>
 [[nodiscard]] Real gltfSpecularShare(const Bsdf<Real>& b, const Vec3<Real>& wo);
 
+/// Uniform in [0,1) again: what glTF's choices of a lobe have not used up of u. [Shirley 96]
+template <class Real>
+[[nodiscard]] Real gltfAfterChoices(const Bsdf<Real>& b, const Vec3<Real>& wo, Real u);
+
 /// Another model. `map` multiplies its colour, `mapRoughness` its roughness. `front`: wo is on the front of the
 /// surface. The tables are those of the scene.
 template <class Real>

@@ -6,6 +6,7 @@
 #include "reference/frame.h"
 #include "reference/layers.h"
 #include "reference/traverse.h"
+#include "reference/warp.h"
 
 namespace vkpt::reference {
 
@@ -108,8 +109,11 @@ private:
     /// Draws the next ray; nothing where the path ends.
     [[nodiscard]] std::optional<PathState> scatter(const Scattering& at) const {
         const PathSample& sample = state_.sample;
+        const Vec2<float> u = sample.get2D(dimension(kDimBsdf));
+        const bool onePair = modelOf(material_) == BsdfId::Gltf;
         const auto drawn =
-            sampleBsdf(at.bsdf, at.wo, sample.get1D(dimension(kDimLobe)), sample.get2D(dimension(kDimBsdf)));
+            onePair ? sampleBsdf(at.bsdf, at.wo, u.x, {gltfAfterChoices(at.bsdf, at.wo, u.x), u.y})
+                    : sampleBsdf(at.bsdf, at.wo, sample.get1D(dimension(kDimLobe)), u);
         const glm::vec3 wi = at.frame.toWorld(drawn.wi);
         if (isBlack(drawn.weight) || !isConsistent(drawn.wi, wi)) return std::nullopt;
         const glm::vec3 throughput = state_.throughput * drawn.weight;

@@ -45,7 +45,6 @@ std::vector<std::uint32_t> specializationOf(const SceneFeatures& f, const SceneH
             options.film.firstWord(Layer::Ids),
             options.film.firstWord(Layer::Luminance),
             options.setSamples,
-            options.manyDimensions,
             f.bsdfModels,
             shadeGroupsOf(f.bsdfModels),
             f.multiscatter};

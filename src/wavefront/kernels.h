@@ -29,7 +29,6 @@ struct KernelOptions {
     SamplerChoice sampler{};
     std::uint32_t lastIndex = ~0U;  ///< the highest sample index they may meet
     std::uint32_t setSamples = 0;   ///< N, where the sampler's points depend on it; 0: read it when they run
-    bool manyDimensions = true;     ///< paths may draw more than the kHaltonDimensions lowest dimensions
     bool fetchTexel = false, useBallot = false, stateTexel = false;
     FilmLayout film{};
 };

@@ -4,7 +4,6 @@
 #include <cstring>
 
 #include "base/error.h"
-#include "dimensions.h"
 #include "wavefront/renderer_impl.h"
 
 namespace vkpt {
@@ -46,11 +45,6 @@ std::uint32_t setSamples(const RenderOptions& options) {
     return samplerInfo(options.sampler.id).counts == SampleCounts::Any ? 0 : options.params.spp;
 }
 
-/// One beyond the last dimension that its paths may draw.
-std::uint64_t dimensionsOf(const RenderOptions& options) {
-    return kDimBounce + (std::uint64_t{options.params.maxDepth} + 1) * kDimBounceStride;
-}
-
 }  // namespace
 
 WavefrontRenderer::Impl::Impl(const SceneArrays& arrays, const RenderOptions& renderOptions,
@@ -69,7 +63,6 @@ WavefrontRenderer::Impl::Impl(const SceneArrays& arrays, const RenderOptions& re
                                {.sampler = options.sampler,
                                 .lastIndex = std::max(options.params.spp, 1U) - 1,
                                 .setSamples = setSamples(options),
-                                .manyDimensions = dimensionsOf(options) > kHaltonDimensions,
                                 .fetchTexel = texels,
                                 .useBallot = ballot,
                                 .stateTexel = stateTexel,

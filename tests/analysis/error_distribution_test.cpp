@@ -18,15 +18,14 @@ SceneArrays litPlane() {
 
 class LitPlane : public testing::TestWithParam<std::uint32_t> {
 protected:
-    /// Share of the error's power below a quarter of Nyquist, of equal totals; mean of a few seeds.
-    [[nodiscard]] double lowShare(SamplerId sampler) const {
-        constexpr std::uint32_t kSeeds = 2;
+    /// Share of the error's power below a quarter of Nyquist, of equal totals; mean over seeds.
+    [[nodiscard]] double lowShare(SamplerId sampler, std::uint32_t seeds) const {
         double share = 0;
-        for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
+        for (std::uint32_t seed = 0; seed < seeds; ++seed) {
             RenderOptions options = test::viewAlongZ(128, 0.002F, GetParam(), 1);
             options.sampler = sampler;
             options.params.seed = seed;
-            share += imageSpectrum(filmToImage(renderReference(scene_, options)), 1).share(16) / kSeeds;
+            share += imageSpectrum(filmToImage(renderReference(scene_, options)), 1).share(16) / seeds;
         }
         return share;
     }
@@ -34,10 +33,10 @@ protected:
 };
 
 TEST_P(LitPlane, ErrorLacksLowFrequencies) {
-    const double random = lowShare(SamplerId::Random);
-    EXPECT_LT(lowShare(SamplerId::Zsobol), 0.5 * random);
-    EXPECT_LT(lowShare(SamplerId::Bluenoise), 0.5 * random);
-    EXPECT_NEAR(lowShare(SamplerId::Sobol), random, 0.2 * random) << "white, as random's is";
+    const double random = lowShare(SamplerId::Random, 2);
+    EXPECT_LT(lowShare(SamplerId::Zsobol, 8), 0.5 * random);
+    EXPECT_LT(lowShare(SamplerId::Bluenoise, 8), 0.5 * random);  // from 0.2 to 0.65 at 4 samples, by seed
+    EXPECT_NEAR(lowShare(SamplerId::Sobol, 2), random, 0.2 * random) << "white, as random's is";
 }
 
 INSTANTIATE_TEST_SUITE_P(Samples, LitPlane, testing::Values(1U, 4U), testing::PrintToStringParamName());

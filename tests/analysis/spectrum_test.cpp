@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "analysis/integrands.h"
+#include "dimensions.h"
 #include "reference/sampler.h"
 #include "scene/sampler_data.h"
 
@@ -87,6 +88,7 @@ TEST(BlueNoiseMask, HasAnEmptyLowBand) {
 /// Over 128^2 pixels, the error of `spp` samples of a smooth integrand in the dimensions of a light sample.
 Image errorImage(SamplerChoice sampler, std::uint32_t spp, std::uint32_t seed) {
     const auto bits = reference::samplerBits(sampler);
+    constexpr std::uint32_t kDimension = kDimBounce + kDimLight;
     const Integrand& f = integrandNamed("gaussian");
     Image image(128, 128, 1);
     for (std::uint32_t y = 0; y < 128; ++y)
@@ -94,7 +96,7 @@ Image errorImage(SamplerChoice sampler, std::uint32_t spp, std::uint32_t seed) {
             double sum = 0;
             for (std::uint32_t i = 0; i < spp; ++i) {
                 const reference::SampleId id{x | y << 16U, i, spp, seed};
-                const double u[] = {bits(id, 14) * 0x1p-32, bits(id, 15) * 0x1p-32};
+                const double u[] = {bits(id, kDimension) * 0x1p-32, bits(id, kDimension + 1) * 0x1p-32};
                 sum += f.value(u) / spp;
             }
             *image.at(x, y) = static_cast<float>(sum - f.integral);

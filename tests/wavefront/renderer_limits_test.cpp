@@ -35,19 +35,6 @@ TEST(RendererLimits, DepthsBeyondOneSubmissionTraceEveryBounce) {
     }
 }
 
-// Kernels that know that paths stay below the dimensions where bases repeat take six digits only: depths on both sides.
-TEST(RendererLimits, HaltonsBasesRepeatInDeepPathsAsTheReferencesDo) {
-    const SceneArrays arrays = makeFurnace();
-    for (const auto& [sampler, depth] :
-         {std::pair{SamplerId::Halton, 14U}, {SamplerId::Halton, 15U}, {SamplerId::Hammersley, 15U}}) {
-        RenderOptions options = makeOptions(16, 8, 2);
-        options.sampler = sampler;
-        options.params.maxDepth = depth;
-        options.params.rrMode = kRouletteOff;
-        EXPECT_LE(divergedShare(renderWith(arrays, options), renderReference(arrays, options)), 0.05) << depth;
-    }
-}
-
 // The alpha of a first hit before nothing tells for every pixel whether the walk through the tree came to its end.
 TEST(RendererLimits, AMillionTrianglesAreMetWhereTheReferenceMeetsThem) {
     Scene scene;

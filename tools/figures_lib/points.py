@@ -58,10 +58,12 @@ def curse(quick):
     plot, axes = plt.subplots(figsize=(6.4, 4))
     most, trials = (600, 40) if quick else (7000, 200)
     for dims in (1, 2, 4, 8):
-        sides = [k for k in range(2, most) if 4 <= k ** dims <= most]
-        sides = sides[:: max(1, len(sides) // 12)]
+        sides = sorted({round(n ** (1 / dims)) for n in np.geomspace(4, most, 12)} - {0, 1})
+        sides = [k for k in sides if k ** dims <= most]
         variances = [jittered_grid_variance(dims, k, trials) for k in sides]
         axes.loglog([k ** dims for k in sides], variances, marker=".", label=f"{dims}D, theory {-1 - 2 / dims:.2f}")
+    counts = np.array([4, most])
+    axes.loglog(counts, 0.3 / counts, ls="--", color="#888", lw=1, label="slope of random, -1")
     axes.set(xlabel="samples, one in each of k^d strata", ylabel="variance", title="jittered, product of d factors")
     axes.legend()
     rows = [[d, f"{64 ** (1 / d):.2f}", f"{2 ** d:,}", f"{8 ** d:,}"] for d in (1, 2, 4, 8)]
@@ -122,7 +124,8 @@ def faure(_quick):
     for axis, base in zip(axes, (7, 11, 29, 97)):
         permutation = faure_permutation(base)
         axis.scatter(range(base), permutation, s=300 / base, color="#0072b2", linewidths=0)
-        axis.set(title=f"base {base}", xlabel="digit", aspect="equal")
+        axis.set(title=f"base {base}", xlabel="digit", ylabel="becomes", aspect="equal")
+    plot.tight_layout()
     return Section("Faure's permutations", "They send neighbouring digits far apart: even bases interleave the "
                    "permutation of half the base, odd ones put the middle digit in the middle.", figure(plot))
 

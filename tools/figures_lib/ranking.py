@@ -103,7 +103,7 @@ def cost_table(found):
 
 
 def measure(output, assets, quick):
-    size, seeds, reference_spp, turns = (32, 2, 256, 1) if quick else (96, 8, 16384, 4)
+    size, seeds, reference_spp, turns = (32, 2, 256, 1) if quick else (64, 8, 16384, 4)
     names = samplers()
     report = {"size": size, "seeds": seeds, "reference": {"spp": reference_spp, "seed": REFERENCE_SEED}}
     with tempfile.TemporaryDirectory() as folder:

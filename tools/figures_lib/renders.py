@@ -64,7 +64,7 @@ def error_distribution(quick):
     with tempfile.TemporaryDirectory() as folder:
         reference = vkpt.render(folder, "cornell_box", size, reference_spp, "sobol", 999, "--max-depth", 1)
         for spp in counts:
-            plot, axes = plt.subplots(2, len(samplers), figsize=(12, 6.4))
+            plot, axes = plt.subplots(3, len(samplers), figsize=(12, 9.6))
             shares = []
             for k, sampler in enumerate(samplers):
                 image = vkpt.render(folder, "cornell_box", size, spp, sampler, 0, "--max-depth", 1)
@@ -72,11 +72,11 @@ def error_distribution(quick):
                 error = np.clip(error, -2, 2)  # the lamp's edge apart
                 power = error_spectrum(error)
                 shares.append(low_share(power))
-                picture(axes[0, k], np.repeat(np.clip(0.5 + error / 2, 0, 1)[..., None], 3, 2),
-                        f"{sampler}, {spp} spp: error")
-                axes[1, k].imshow(np.sqrt(power), cmap="gray", vmax=np.sqrt(np.quantile(power, 0.995)))
-                axes[1, k].axis("off")
-                axes[1, k].set_title(f"spectrum; low band {shares[-1] / shares[0]:.2f} of random's", fontsize=9)
+                picture(axes[0, k], shown(image), f"{sampler}, {spp} spp")
+                picture(axes[1, k], np.repeat(np.clip(0.5 + error / 2, 0, 1)[..., None], 3, 2), "error")
+                axes[2, k].imshow(np.sqrt(power), cmap="gray", vmax=np.sqrt(np.quantile(power, 0.995)))
+                axes[2, k].axis("off")
+                axes[2, k].set_title(f"spectrum; low band {shares[-1] / shares[0]:.2f} of random's", fontsize=9)
             plot.tight_layout()
             body += figure(plot)
             rows.append([f"{spp} spp"] + [f"{s / shares[0]:.2f}" for s in shares])

@@ -104,6 +104,13 @@ Real gltfSpecularShare(const Bsdf<Real>& b, const Vec3<Real>& wo) {
 }
 
 template <class Real>
+Real gltfAfterChoices(const Bsdf<Real>& b, const Vec3<Real>& wo, Real u) {
+    const Shares<Real> p = sharesOf(b, wo);
+    if (!choose(u, p.specular)) choose(u, p.returned);
+    return std::min(u, Real(kBelowOne));
+}
+
+template <class Real>
 Vec3<Real> gltfEval(const Bsdf<Real>& b, const Vec3<Real>& wo, const Vec3<Real>& wi) {
     if (wi.z <= 0) return Vec3<Real>(0);
     const Vec3<Real> wm = glm::normalize(wo + wi);
@@ -140,6 +147,7 @@ bool gltfHasDensity(const Bsdf<Real>& b, const Vec3<Real>& wo) {
     return !b.isDelta() || gltfSpecularShare(b, wo) < 1;
 }
 
+template float gltfAfterChoices(const Bsdf<float>&, const Vec3<float>&, float);
 template float gltfSpecularShare(const Bsdf<float>&, const Vec3<float>&);
 template double gltfSpecularShare(const Bsdf<double>&, const Vec3<double>&);
 VKPT_INSTANTIATE_BSDF(gltf)

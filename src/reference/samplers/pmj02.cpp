@@ -9,9 +9,6 @@ namespace vkpt::reference {
 
 namespace {
 
-/// Numbers the pairs that paths use: all four of the camera, the first four of a bounce's eight.
-std::uint32_t pairOrder(std::uint32_t pair) { return pair < 4 ? pair : 4 + (pair - 4) / 8 * 4 + (pair - 4) % 4; }
-
 /// Shuffles each [2^k, 2^(k+1)) within itself, aligned blocks staying together, so that every first 2^k points remain
 /// what they are while the orders of two pairs have nothing in common.
 std::uint32_t shuffleProgressively(std::uint32_t index, std::uint32_t key) {
@@ -26,7 +23,7 @@ std::uint32_t shuffleProgressively(std::uint32_t index, std::uint32_t key) {
 std::uint32_t pmj02Bits(SampleId id, std::uint32_t dim) {
     const std::uint32_t pair = dim / 2, copy = id.index / kPmj02Points;
     const std::uint32_t first = samplerKey(id.pixel, kNone, id.seed, copy).x;
-    const std::size_t table = (first + pairOrder(pair)) % kPmj02Tables;
+    const std::size_t table = (first + pair) % kPmj02Tables;
     const glm::uvec4 key = samplerKey(id.pixel, pair, id.seed, copy);
     const std::uint32_t element = shuffleProgressively(id.index % kPmj02Points, key.z);
     const std::uint32_t point = pmj02Tables()[table * kPmj02Points + element];

@@ -18,7 +18,7 @@ struct Constants {
 using Named = std::pair<const char*, std::uint32_t>;
 
 /// All constants by name, in the order in which the probe writes them.
-std::array<Named, 33> namesAndValues(const Constants& c) {
+std::array<Named, 32> namesAndValues(const Constants& c) {
     const auto& [f, h, o] = c;
     const auto flag = [](bool b) { return b ? 1U : 0U; };
     return {Named{"kSampler", static_cast<std::uint32_t>(o.sampler.id)},
@@ -50,7 +50,6 @@ std::array<Named, 33> namesAndValues(const Constants& c) {
             {"kIdsWord", o.film.firstWord(Layer::Ids)},
             {"kLuminanceWord", o.film.firstWord(Layer::Luminance)},
             {"kSetSamples", o.setSamples},
-            {"kManyDimensions", flag(o.manyDimensions)},
             {"kBsdfModels", f.bsdfModels},
             {"kShadeGroups", 1U << kGroupMicrofacet | 1U << kGroupClassic},
             {"kMultiscatter", flag(f.multiscatter)}};
@@ -63,7 +62,7 @@ Constants makeConstants(std::uint32_t bit) {
     std::uint32_t number = 0;
     for (bool* flag :
          {&f.instances, &f.alpha, &f.textureTransforms, &f.vertexExtras, &f.triangleLights, &f.texturedEmission,
-          &f.punctualLights, &f.environment, &f.unlit, &f.multiscatter, &o.fetchTexel, &o.useBallot, &o.stateTexel, &o.manyDimensions})
+          &f.punctualLights, &f.environment, &f.unlit, &f.multiscatter, &o.fetchTexel, &o.useBallot, &o.stateTexel})
         *flag = (++number >> bit & 1U) != 0;
     f.maps = 13;
     f.bsdfModels = 1U << static_cast<std::uint32_t>(BsdfId::Eon) | 1U << static_cast<std::uint32_t>(BsdfId::Dielectric);
@@ -81,7 +80,7 @@ Constants makeConstants(std::uint32_t bit) {
 }  // namespace
 
 void checkSpecialization(VerifyContext& context, Findings& findings) {
-    constexpr std::uint32_t kRounds = 4;  // 14 flags
+    constexpr std::uint32_t kRounds = 4;  // 13 flags
     for (std::uint32_t round = 0; round < kRounds; ++round) {
         const Constants constants = makeConstants(round);
         ProbeOptions options;
