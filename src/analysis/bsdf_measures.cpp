@@ -60,7 +60,7 @@ BsdfIntegrals integrateBsdf(const BsdfDouble& b, const glm::dvec3& wo) {
         return glm::dvec4(scale * reference::evalBsdf(b, wo, wi), reference::pdfBsdf(b, wo, wi));
     };
     const auto peaks = peaksOf(b, wo);
-    const QuadratureConfig config{.peakDepth = peakDepth(b, wo)};
+    const QuadratureConfig config{.leastDepth = 4, .peakDepth = peakDepth(b, wo)};
     for (const bool upper : {true, false}) {
         if (!upper && !transmits(b)) continue;
         const glm::dvec4 part = integrate(f, {.upper = upper}, peaks, config);

@@ -17,8 +17,14 @@ bool drawsWithoutVisibility(const BsdfDouble& b) {
            (b.flags >> kBsdfMaskingShift & kBsdfMaskingMask) != kMaskingVGroove;
 }
 
-/// The published formula itself gains energy.
-bool gains(const BsdfDouble& b) { return b.model == BsdfId::BlinnPhong && (b.flags & kBsdfConserving) == 0; }
+/// How much the published formula itself may reflect of what arrives: the lecture's normalization of Blinn-Phong up to
+/// 4 times, Phong's facets under Beckmann's masking up to 1.49 where light grazes rough surfaces (alpha 1, cosine
+/// 0.03).
+double mostEnergy(const BsdfDouble& b) {
+    if (b.model == BsdfId::BlinnPhong && (b.flags & kBsdfConserving) == 0) return 4;
+    const bool facets = b.model == BsdfId::Conductor || b.model == BsdfId::Dielectric || b.model == BsdfId::Plastic;
+    return facets && drawsWithoutVisibility(b) ? 1.6 : 1 + 5e-3;
+}
 
 TEST(EveryBsdf, IsAmongTheCases) {
     std::set<BsdfId> seen;
@@ -40,10 +46,7 @@ void checkIntegrals(const std::vector<test::BsdfCase>& cases, bool multiscatter,
             // The mean weight is the albedo: weight = f cos / pdf for all draws together.
             const double size = std::max(0.2, d.largest);
             for (int c = 0; c < 3; ++c) EXPECT_NEAR(d.mean[c], integrals.albedo()[c], 3e-3 * size);
-            for (int c = 0; c < 3; ++c)
-                if (!gains(b)) {
-                    EXPECT_LE(integrals.albedo()[c], 1 + 5e-3);
-                }
+            for (int c = 0; c < 3; ++c) EXPECT_LE(integrals.albedo()[c], mostEnergy(b));
         }
     });
 }
@@ -119,9 +122,9 @@ void checkWeights(const std::vector<test::BsdfCase>& cases, std::uint32_t draws)
                 const test::SpreadDraws d = test::drawSpread(b, directionAt(cosine, 0.05), draws);
                 EXPECT_TRUE(d.sound) << name << " alpha " << alpha << " cosine " << cosine;
                 const bool bounded =
-                    b.model != BsdfId::OrenNayar && b.model != BsdfId::Eon && !drawsWithoutVisibility(b) && !gains(b);
+                    b.model != BsdfId::OrenNayar && b.model != BsdfId::Eon && !drawsWithoutVisibility(b);
                 if (bounded) {
-                    EXPECT_LT(d.largest, 12) << name << " alpha " << alpha << " cosine " << cosine;
+                    EXPECT_LT(d.largest, 24) << name << " alpha " << alpha << " cosine " << cosine;
                 }
             }
             if (!isFacets) break;
