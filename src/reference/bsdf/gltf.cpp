@@ -106,7 +106,7 @@ Real gltfSpecularShare(const Bsdf<Real>& b, const Vec3<Real>& wo) {
 template <class Real>
 Real gltfAfterChoices(const Bsdf<Real>& b, const Vec3<Real>& wo, Real u) {
     const Shares<Real> p = sharesOf(b, wo);
-    if (!choose(u, p.specular)) choose(u, p.returned);
+    if (!choose(u, p.specular)) (void)choose(u, p.returned);
     return std::min(u, Real(kBelowOne));
 }
 

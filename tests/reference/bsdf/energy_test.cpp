@@ -29,7 +29,7 @@ void checkFurnace(const std::string& spec, const std::vector<double>& alphas, in
             for (int i = 0; i < cosines; ++i) {
                 const double cosine = std::max(1e-5, std::pow((i + 0.5) / cosines, 3));
                 const glm::dvec3 mean = test::drawSpread(b, directionAt(cosine, 0.07), draws).mean;
-                EXPECT_NEAR(mean.x, 1, 5e-3)
+                EXPECT_NEAR(mean.x, 1, tolerance)
                     << spec << (front ? "" : " from inside") << " alpha " << b.alphaX << " cosine " << cosine;
             }
         }

@@ -75,7 +75,7 @@ void checkDraws(const std::vector<test::BsdfCase>& cases, std::initializer_list<
     for (const Outcome& outcome : outcomes) EXPECT_GT(outcome.p, level) << outcome.name;
 }
 
-TEST(EveryBsdf, DrawsFollowTheDensityFull) { checkDraws(test::fullCases(), {1.0, 0.9, 0.5, 0.2, 0.05}, 1000000); }
+TEST(EveryBsdf, DrawsFollowTheDensityFull) { checkDraws(test::fullCases(), {1.0, 0.9, 0.5, 0.2, 0.05}, 200000); }
 
 // The test has the power it needs: a density 3 % too wide in alpha is refused.
 TEST(EveryBsdf, DrawsOfAnotherDensityAreRefused) {
