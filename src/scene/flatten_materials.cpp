@@ -62,15 +62,18 @@ MaterialRecord materialRecord(const Scene& scene, const Material& material, cons
 void addBsdfs(const Scene& scene, const std::vector<MaterialTraits>& traits, bool multiscatter, SceneArrays& arrays) {
     arrays.features.multiscatter = multiscatter;
     AlbedoTables tables(multiscatter);
+    std::uint32_t models = 0;
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
         const Material& material = scene.materials[i];
         const BsdfId model = bsdfModel(material);
-        if (!traits[i].used || model == BsdfId::Gltf) continue;
-        arrays.features.bsdfModels |= 1U << static_cast<std::uint32_t>(model);
+        if (!traits[i].used) continue;
+        models |= 1U << static_cast<std::uint32_t>(model);
+        if (model == BsdfId::Gltf) continue;
         arrays.bsdfs.resize(scene.materials.size(), bsdfRecord({}));
         arrays.bsdfs[i] = bsdfRecord(*material.bsdf);
         tables.add(model, hasImage(scene, material.metallicRoughnessTexture), arrays.bsdfs[i]);
     }
+    if (models != 0) arrays.features.bsdfModels = models;
     arrays.albedoTables = tables.take();
 }
 

@@ -28,7 +28,7 @@ constexpr std::array kChecks = {
           checkSpecialFunctions},
     Check{Rung::Functions, "fresnel", "dielectrics 1e-6, conductors 2e-6", checkFresnel},
     Check{Rung::Functions, "facets", "every distribution and masking: D, G1, G2, pdf 1e-5; normals 5e-6", checkFacets},
-    Check{Rung::Functions, "albedo tables", "lookups within 6e-6", checkAlbedo},
+    Check{Rung::Functions, "albedo tables", "lookups within 1e-5", checkAlbedo},
     Check{Rung::Functions, "gltf bsdf", "f, pdf within 3e-5; samples and weights 1e-4", checkGltf},
     Check{Rung::Functions, "bsdf models", "every other model of the registry: f, pdf 5e-5; samples 1e-5, weights 1e-4",
           checkBsdfs},

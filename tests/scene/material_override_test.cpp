@@ -64,7 +64,7 @@ TEST(FlattenBsdf, RecordsGroupsAndTables) {
     ASSERT_EQ(a.bsdfs.size(), 2U);
     EXPECT_EQ(a.bsdfs[0].table, std::uint32_t{kAlbedoTableWords});
     EXPECT_EQ(a.albedoTables.size(), std::size_t{3} * kAlbedoTableWords);
-    EXPECT_EQ(a.features.bsdfModels, 1U | 1U << static_cast<std::uint32_t>(BsdfId::Dielectric));
+    EXPECT_EQ(a.features.bsdfModels, 1U << static_cast<std::uint32_t>(BsdfId::Dielectric));
     EXPECT_EQ(a.materials[0].flags >> kMaterialModelShift & kMaterialModelMask,
               static_cast<std::uint32_t>(BsdfId::Dielectric));
     for (const TriangleRecord& t : a.triangles) {
