@@ -73,8 +73,8 @@ bool FaultyShaders::reads(const fs::path& file) const {
         if (!line.starts_with(kInclude)) continue;
         const std::string name = line.substr(kInclude.size(), line.find('"', kInclude.size()) - kInclude.size());
         if (fs::exists(kRoot / "shaders" / name) && reads(fs::path("shaders") / name)) return true;
-        // Generated: it includes every sampler.
-        if (name == "samplers.glsl" && fault_.file.starts_with("shaders/samplers/")) return true;
+        const fs::path generated = fs::path(VKPT_GENERATED) / name;  // from the registry: includes all its models
+        if (fs::exists(generated) && reads(generated)) return true;
     }
     return false;
 }
