@@ -31,6 +31,9 @@ PathVertex loadPathVertex(uint path) {
     PathVertex v;
     v.path = path;
     v.id = sampleIdOf(path);
+    // In a loop, since drivers inline every call with all samplers before they strip those that
+    // are not in use; and first, since loops of samplers save and load all that is live.
+    [[unroll]] for (uint i = 0u; i < 3u; ++i) v.numbers[i] = samplerPair(v.id, (bounceDimension(0u) >> 1u) + i);
     vec4 direction = loadStateFloat(kStateDirection, path);
     uvec4 hit = loadState(kStateHit, path);
     v.wo = -direction.xyz;
@@ -42,8 +45,6 @@ PathVertex loadPathVertex(uint path) {
     v.baseColor = surfaceBaseColor(m, v.point.uv, v.point.maps.baseColor);
     vec4 mr = v.point.maps.metallicRoughness;
     float roughness = m.roughness * mr.g;
-    // In a loop, since drivers inline every call with all samplers before they strip those that are not in use.
-    [[unroll]] for (uint i = 0u; i < 3u; ++i) v.numbers[i] = samplerPair(v.id, (bounceDimension(0u) >> 1u) + i);
     v.bsdf = GltfBsdf(v.baseColor.rgb, m.metallic * mr.b, roughness * roughness);
     return v;
 }
