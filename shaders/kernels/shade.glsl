@@ -21,6 +21,9 @@ PathVertex loadPathVertex(uint path) {
     PathVertex v;
     v.path = path;
     v.id = sampleIdOf(path);
+    // In a loop, since drivers inline every call with all samplers before they strip those that
+    // are not in use; and first, since loops of samplers save and load all that is live.
+    [[unroll]] for (uint i = 0u; i < 3u; ++i) v.numbers[i] = samplerPair(v.id, (bounceDimension(0u) >> 1u) + i);
     vec4 direction = loadStateFloat(kStateDirection, path);
     uvec4 hit = loadState(kStateHit, path);
     v.direction = -direction.xyz;
@@ -30,8 +33,6 @@ PathVertex loadPathVertex(uint path) {
     v.point = makeShadingPoint(hit.y, floatBitsToUint(direction.w), uintBitsToFloat(hit.zw), v.direction);
     v.frame = makeVertexFrame(v.point);
     v.wo = toLocal(v.frame, v.direction);
-    // In a loop, since drivers inline every call with all samplers before they strip those that are not in use.
-    [[unroll]] for (uint i = 0u; i < 3u; ++i) v.numbers[i] = samplerPair(v.id, (bounceDimension(0u) >> 1u) + i);
     v.bsdf = makeVertexBsdf(v.point, v.wo);
     return v;
 }

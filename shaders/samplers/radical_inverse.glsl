@@ -48,9 +48,9 @@ void takeDigit(inout DigitWalk w, uint k) {
 
 uint inverseOf(DigitWalk w) { return w.value * (w.entry.x >> 16u) + multiplyHigh(w.value, w.entry.z); }
 
-// Inverses of `index` in prime numbers d.x and d.y, 32-bit fixed point. Two at a time, and six digits at a time, which
-// is all that bases from 17 on have: a loop saves and loads all that is live at each round.
-const uint kDigitsAtOnce = 6u;
+// Inverses of `index` in prime numbers d.x and d.y, 32-bit fixed point. Two at a time, and eight digits at a time, which
+// is all that bases from 11 on have: a loop saves and loads all that is live at each round.
+const uint kDigitsAtOnce = 8u;
 
 uvec2 radicalInverses(uint index, uvec2 d, uvec2 keys) {
     DigitWalk a = beginWalk(index, d.x, keys.x), b = beginWalk(index, d.y, keys.y);
