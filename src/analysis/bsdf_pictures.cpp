@@ -59,16 +59,16 @@ LobeCurve lobeCurve(const BsdfDouble& b, const glm::dvec3& wo, bool bothSides) {
 }
 
 /// Radii are cube roots, so that narrow lobes leave room for wide ones.
-void drawLobe(Drawing& d, const Plot& plot, const LobeCurve& curve, double top, Ink ink) {
+void drawLobe(Drawing& d, const Plot& plot, const LobeCurve& curve, double top, double width, Ink ink) {
     const auto radius = [&](double value) { return std::cbrt(value / top); };
     for (std::size_t i = 1; i < curve.points.size(); ++i) {
         const auto& [w0, v0] = curve.points[i - 1];
         const auto& [w1, v1] = curve.points[i];
         d.line(plot.placeX(w0, radius(v0)), plot.placeY(w0, radius(v0)), plot.placeX(w1, radius(v1)),
-               plot.placeY(w1, radius(v1)), 1.6, ink);
+               plot.placeY(w1, radius(v1)), width, ink);
     }
     for (const glm::dvec3& w : curve.deltas) {
-        d.line(plot.x, plot.y, plot.placeX(w, 1), plot.placeY(w, 1), 1.6, ink);
+        d.line(plot.x, plot.y, plot.placeX(w, 1), plot.placeY(w, 1), width, ink);
         d.circle(plot.placeX(w, 1), plot.placeY(w, 1), 3.5, ink);
     }
 }
@@ -87,7 +87,10 @@ void drawLobePanel(Drawing& d, const Plot& plot, double angle, const std::vector
         curves.push_back(lobeCurve(p.bsdf->seenFrom<double>(true), wo, bothSides));
         for (const auto& point : curves.back().points) top = std::max(top, point.second);
     }
-    for (std::size_t i = 0; i < curves.size(); ++i) drawLobe(d, plot, curves[i], top > 0 ? top : 1, inkOf(i));
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        const double width = 1.6 * static_cast<double>(curves.size() - i);  // where lobes coincide both show
+        drawLobe(d, plot, curves[i], top > 0 ? top : 1, width, inkOf(i));
+    }
     d.line(plot.x, plot.y, plot.placeX(wo, 1.08), plot.placeY(wo, 1.08), 1, kBlack);
     d.text(plot.x, plot.y - plot.radius - 14, fmt::format("{:.0f} degrees, largest {:.3g}", angle, top), 12,
            Align::Middle);
