@@ -22,6 +22,7 @@ bool drawsWithoutVisibility(const BsdfDouble& b) {
 /// 0.03).
 double mostEnergy(const BsdfDouble& b) {
     if (b.model == BsdfId::BlinnPhong && (b.flags & kBsdfConserving) == 0) return 4;
+    if (b.model == BsdfId::Gltf && !b.multiscatter) return 2;  // the specification's Fresnel mix
     const bool facets = b.model == BsdfId::Conductor || b.model == BsdfId::Dielectric || b.model == BsdfId::Plastic;
     return facets && drawsWithoutVisibility(b) ? 1.6 : 1 + 5e-3;
 }
