@@ -34,6 +34,7 @@ std::vector<glm::dvec3> peaksOf(const BsdfDouble& b, const glm::dvec3& wo) {
     std::vector<glm::dvec3> peaks{reference::mirrored(wo)};
     if (transmits(b) && reference::dielectricFresnel(wo.z, b.eta.x) < 1)
         peaks.push_back(reference::refractThrough(wo, glm::dvec3(0, 0, 1), b.eta.x));
+    if (transmits(b)) peaks.push_back(-wo);  // facets that face wo; with an ior near 1 they hardly deflect
     return peaks;
 }
 
