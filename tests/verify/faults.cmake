@@ -23,4 +23,5 @@ list(REMOVE_ITEM sources ${originals})
 add_executable(vkpt_faulty "${CMAKE_SOURCE_DIR}/src/main.cpp" ${sources} ${copies})
 target_include_directories(vkpt_faulty BEFORE PRIVATE "${folder}")
 target_compile_options(vkpt_faulty PRIVATE $<$<CONFIG:Release>:-O1>)
-target_link_libraries(vkpt_faulty PRIVATE vkpt_gltf vkpt_bvh vkpt_wavefront vkpt_compare vkpt_probes CLI11::CLI11)
+target_link_libraries(vkpt_faulty PRIVATE vkpt_gltf vkpt_bvh vkpt_wavefront vkpt_compare vkpt_probes vkpt_analysis
+                      CLI11::CLI11)  # of vkpt_reference, which analysis brings, nothing is missing that would be linked
