@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 
 #include "verify/test_context.h"
 
@@ -15,13 +16,16 @@ void PrintTo(const Check& check, std::ostream* out) { *out << check.name; }
 
 namespace {
 
-/// One for all tests: probes are compiled once.
-VerifyContext& context() {
-    static VerifyContext context(everyFeature(), smallOptions(), testConfig(true));
-    return context;
-}
+class EveryCheck : public testing::TestWithParam<Check> {
+protected:
+    /// One for all tests: probes are compiled once. Ended before the process is, whose drivers may be gone by then.
+    static void SetUpTestSuite() { context_.emplace(everyFeature(), smallOptions(), testConfig(true)); }
+    static void TearDownTestSuite() { context_.reset(); }
+    static VerifyContext& context() { return *context_; }
 
-class EveryCheck : public testing::TestWithParam<Check> {};
+private:
+    inline static std::optional<VerifyContext> context_;
+};
 
 TEST_P(EveryCheck, Agrees) {
     Findings findings;
