@@ -2,10 +2,11 @@
 // and again. [Kulla 17]
 float plasticPassed(SurfaceBsdf b, vec3 w) {
     if (b.facets.delta) return 1.0 - fresnelDielectricExact(abs(w.z), b.r.eta.x);
-    return 1.0 - albedoLookup(b.table, b.roughness, w).x;
+    vec3 albedo = albedoLookup(b.table, b.roughness, w);
+    return albedo.y + albedo.z;
 }
 float plasticPassedO(SurfaceBsdf b, vec3 wo) {
-    return b.facets.delta ? 1.0 - fresnelDielectricExact(wo.z, b.r.eta.x) : 1.0 - b.albedoO.x;
+    return b.facets.delta ? 1.0 - fresnelDielectricExact(wo.z, b.r.eta.x) : b.albedoO.y + b.albedoO.z;
 }
 
 float plasticShare(SurfaceBsdf b, vec3 wo) {
@@ -14,7 +15,7 @@ float plasticShare(SurfaceBsdf b, vec3 wo) {
 }
 
 BsdfValue plasticEvaluate(SurfaceBsdf b, vec3 wo, vec3 wi) {
-    float eta2 = b.r.eta.x * b.r.eta.x, mean = 1.0 - (b.facets.delta ? b.r.average.x : b.mean.x);
+    float eta2 = b.r.eta.x * b.r.eta.x, mean = b.facets.delta ? 1.0 - b.r.average.x : b.mean.y + b.mean.z;
     float passed = plasticPassedO(b, wo) * plasticPassed(b, wi) / eta2;
     BsdfValue base = diffuseValue(passed * b.r.diffuse / (1.0 - b.r.diffuse * (1.0 - mean / eta2)), wi);
     if (b.facets.delta) return mixValues(kNoValue, base, plasticShare(b, wo));

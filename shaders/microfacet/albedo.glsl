@@ -24,11 +24,11 @@ float albedoColumn(AlbedoRoughness r, vec3 w) {
     return 0.5 * (sqrt(mu) + sqrt(mu / (mu + q)));
 }
 
-// (first, root of what is lost) at one corner.
+// Roots of (second, lost) at one corner.
 vec2 unpackAlbedo(uint word) { return vec2(float(word & 0xffffu), float(word >> 16u)) * (1.0 / 65535.0); }
 
-// (first, second, lost), of which the second is what the others leave.
-vec3 wholeAlbedo(float first, float lost) { return vec3(first, max(1.0 - first - lost, 0.0), lost); }
+// (first, second, lost), of which the first is what the others leave.
+vec3 wholeAlbedo(vec2 others) { return vec3(max(1.0 - others.x - others.y, 0.0), others); }
 
 // Of the table at `table` towards w, on either side.
 vec3 albedoLookup(uint table, AlbedoRoughness r, vec3 w) {
@@ -36,7 +36,7 @@ vec3 albedoLookup(uint table, AlbedoRoughness r, vec3 w) {
     float x = albedoPlace(albedoColumn(r, w), i), y = albedoPlace(r.azimuth ? albedoAzimuthRow(w) : albedoRow(r), j);
     uvec4 cell = sceneWord(scene.albedoTables + table + j * (kAlbedoSide - 1u) + i);
     vec2 a = mix(mix(unpackAlbedo(cell.x), unpackAlbedo(cell.y), x), mix(unpackAlbedo(cell.z), unpackAlbedo(cell.w), x), y);
-    return wholeAlbedo(a.x, a.y * a.y);
+    return wholeAlbedo(a * a);
 }
 
 // Its hemispherical mean.
@@ -44,7 +44,7 @@ vec3 albedoMean(uint table, AlbedoRoughness r) {
     uint j;
     float y = albedoPlace(albedoRow(r), j), g = meanAlpha(r);
     vec4 cell = sceneWordFloat(scene.albedoTables + table + (kAlbedoSide - 1u) * (kAlbedoSide - 1u) + j);
-    return wholeAlbedo(mix(cell.z, cell.w, y), g * g * mix(cell.x, cell.y, y));
+    return wholeAlbedo(vec2(mix(cell.z, cell.w, y), g * g * mix(cell.x, cell.y, y)));
 }
 
 // Share of interreflected light that a conductor gives back, of its mean Fresnel term and of what is lost. [Kulla 17]

@@ -58,8 +58,8 @@ VKPT_CONST uint kDistributionPhong = 2u;
 VKPT_CONST uint kMaskingCorrelated = 0u;     // Smith, height-correlated
 VKPT_CONST uint kMaskingSeparable = 1u;      // Smith, separable
 VKPT_CONST uint kMaskingVGroove = 2u;
-VKPT_CONST uint kAlbedoSide = 32u;           // rows and columns of an albedo table
-VKPT_CONST uint kAlbedoTableWords = 992u;    // (kAlbedoSide - 1)^2 cells, then kAlbedoSide - 1 averages
+VKPT_CONST uint kAlbedoSide = 48u;           // rows and columns of an albedo table
+VKPT_CONST uint kAlbedoTableWords = 2256u;   // (kAlbedoSide - 1)^2 cells, then kAlbedoSide - 1 averages
 
 // TextureRecord.flags. Wrap fields hold kWrap*.
 VKPT_CONST uint kTextureSrgb = 1u;     // decode R, G and B before filtering

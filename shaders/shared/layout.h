@@ -101,8 +101,10 @@ struct BsdfRecord {
     float specular;   // cook_torrance: share of the specular part, s
 };
 
-// One cell of an albedo table: (first, sqrt(1 - first - second)) as unorm16, first in the low half, at its four corners.
-// Averages are floats (their bits) at two corners, j and j + 1: (1 - first - second)/alpha^2 in x and y, first in z and w.
+// One cell of an albedo table: roots of (second, 1 - first - second) as unorm16, the former in the low half, at its
+// four corners.
+// Averages are floats (their bits) at two corners, j and j + 1: (1 - first - second)/alpha^2 in x and y, second in z and
+// w.
 struct AlbedoCell {
     uint x, y, z, w;  // (i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1): cell j (kAlbedoSide - 1) + i, j the row
 };

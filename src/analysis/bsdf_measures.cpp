@@ -126,10 +126,14 @@ TestResult testBsdfDraws(const BsdfDouble& b, const BsdfDouble& claimed, const g
     };
     const auto peaks = peaksOf(b, wo);
     const QuadratureConfig config{.tolerance = 1e-6, .leastDepth = 0, .peakDepth = peakDepth(b, wo)};
+    const QuadratureConfig closer{.tolerance = 1e-6, .leastDepth = 7, .peakDepth = peakDepth(b, wo)};
     for (std::size_t i = 0; i < (transmits(b) ? 2 * kCells : kCells); ++i) {
         const SphereCell cell{i < kCells, static_cast<double>(i % kSide) / kSide,
                               static_cast<double>(i % kCells / kSide) / kSide, 1.0 / kSide};
-        total += expected[i] = integrate(density, cell, peaks, config).x;
+        expected[i] = integrate(density, cell, peaks, config).x;
+        // The corner that a lobe with an edge has in a cell may lie between all places of the rule.
+        if (expected[i] == 0 && seen[i] > 0) expected[i] = integrate(density, cell, peaks, closer).x;
+        total += expected[i];
     }
     for (double& e : expected) e *= total > 0 ? drawn / total : 0;
     return chiSquareTest(seen, expected);

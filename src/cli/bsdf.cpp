@@ -1,15 +1,13 @@
 // vkpt bsdf: what a BSDF reflects, how well it is sampled, and how it looks.
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
-#include <iostream>
 #include <memory>
 #include <stdexcept>
 
 #include "analysis/bsdf_study.h"
-#include "base/atomic_file.h"
 #include "cli/command.h"
 #include "cli/options.h"
+#include "cli/study_output.h"
 #include "plot/write.h"
 
 namespace vkpt {
@@ -37,18 +35,10 @@ ExitCode runBsdf(const BsdfCommand& c) {
     BsdfStudyRequest request = c.request;
     addSpec(request, "SPEC", c.spec);
     if (!c.other.empty()) addSpec(request, "--compare", c.other);
-    if (!c.output.empty()) {
-        if (!isDrawingFile(c.output))
-            throw usageError("--output", fmt::format("'{}' is none of {}", c.output.string(), kDrawingExtensions));
-        checkWritable(c.output);
-        request.picture = true;
-    }
+    checkPicture(c.output);
+    request.picture = !c.output.empty();
     const Study study = studyBsdf(request);
-    if (!c.output.empty()) {
-        writeDrawing(c.output, study.drawing);
-        spdlog::info("wrote {}", c.output.string());
-    }
-    std::cout << (c.json ? study.json.dump(2) + "\n" : study.table);
+    showStudy(study, c.output, c.json);
     return ExitCode::Ok;
 }
 

@@ -75,7 +75,8 @@ ExitCode runDiff(const DiffCommand& c) {
     const Comparison comparison{compareImages(image, reference), comparePerceptually(image, reference, c.perceptual),
                                 judge(image, reference, c.warn, c.fail)};
     if (!c.heatMap.empty()) writeHeatMap(c, image, reference, comparison);
-    std::cout << (c.json ? diffJson(comparison, c.warn, c.fail).dump(2) + "\n" : diffText(comparison, c.warn, c.fail));
+    std::cout << (c.json ? jsonText(diffJson(comparison, c.warn, c.fail)) + "\n"
+                         : diffText(comparison, c.warn, c.fail));
     return comparison.verdict.code;
 }
 

@@ -3,13 +3,12 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <iostream>
 #include <memory>
 
 #include "analysis/studies.h"
-#include "base/atomic_file.h"
 #include "cli/command.h"
 #include "cli/options.h"
+#include "cli/study_output.h"
 #include "plot/write.h"
 
 namespace vkpt {
@@ -79,9 +78,7 @@ std::vector<StudiedSampler> studiedSamplers(const SamplesCommand& c) {
 }
 
 void check(const SamplesCommand& c, const StudyRequest& request) {
-    if (!c.output.empty() && !isDrawingFile(c.output))
-        throw usageError("--output", fmt::format("'{}' is none of {}", c.output.string(), kDrawingExtensions));
-    if (!c.output.empty()) checkWritable(c.output);
+    checkPicture(c.output);
     const bool pairs = c.mode == Mode::Discrepancy;
     if (request.count > (pairs ? kMostPairs : kMostPoints))
         throw usageError("--count", fmt::format("at most {}", pairs ? kMostPairs : kMostPoints));
@@ -134,11 +131,7 @@ ExitCode runSamples(const SamplesCommand& c) {
     if (c.mode != Mode::RadicalInverse) request.samplers = studiedSamplers(c);
     check(c, request);
     const Study study = makeStudy(c, request);
-    if (!c.output.empty()) {
-        writeDrawing(c.output, study.drawing);
-        spdlog::info("wrote {}", c.output.string());
-    }
-    std::cout << (c.json ? study.json.dump(2) + "\n" : study.table);
+    showStudy(study, c.output, c.json);
     return ExitCode::Ok;
 }
 

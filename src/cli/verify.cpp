@@ -105,7 +105,7 @@ ExitCode runLadder(const VerifyCommand& c, const PreparedScene& prepared) {
         if (failure != nullptr)
             report["firstDisagreement"] = kRungs[static_cast<std::size_t>(failure->check->rung)].name;
         report["checks"] = ladderJson(result);
-        std::cout << report.dump(2) << '\n';
+        std::cout << jsonText(report) << '\n';
     } else {
         std::cout << ladderVerdict(result);
     }
@@ -124,7 +124,7 @@ ExitCode runReplay(const VerifyCommand& c, const PreparedScene& prepared) {
         Json report = describeRun(c, prepared);
         report["pixel"] = {c.pixel->x, c.pixel->y};
         report["paths"] = replayJson(paths);
-        std::cout << report.dump(2) << '\n';
+        std::cout << jsonText(report) << '\n';
     } else {
         std::cout << replayText(paths);
     }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kSide = kAlbedoSide;
 struct Albedo {
-    double first = 0, lost = 0;  ///< lost: 1 - first - second
+    double second = 0, lost = 0;  ///< what is left of 1 is first
 };
 using Column = std::array<Albedo, kSide>;  ///< at each place of one row
 
@@ -44,7 +44,8 @@ Albedo albedo(const AlbedoTableKey& key, const facets::Facets& facets, const glm
     const facets::Facets ggx{Distribution::Ggx, key.masking, facets.alpha};
     const double ggxG1 = 1 / (1 + ggx.lambda(wo)), g1 = 1 / (1 + facets.lambda(wo));
     const bool owns = key.distribution != Distribution::Phong;
-    Albedo sum{0, owns ? 0.0 : double{kSteps * kSteps}};
+    double first = 0;
+    Albedo sum;
     for (int i = 0; i < kSteps; ++i) {
         for (int j = 0; j < kSteps; ++j) {
             const auto wm = visibleNormal(wo, facets.alpha, (i + 0.5) / kSteps, (j + 0.5) / kSteps);
@@ -54,20 +55,21 @@ Albedo albedo(const AlbedoTableKey& key, const facets::Facets& facets, const glm
             const glm::dvec2 share = ofFacet(cosine, key.eta);
             const glm::dvec3 reflected = 2 * cosine * wm - wo;
             const double seen = reflected.z > 0 ? facets.g2(wo, reflected) : 0;
-            sum.first += density * seen * share.x;
-            double left = seen * (key.eta == 0 ? 1 : share.x);
+            double second = key.eta == 0 ? seen * share.y : 0;
             if (key.eta != 0 && share.y > 0) {
                 const double cosT = std::sqrt(1 - (1 - cosine * cosine) / (key.eta * key.eta));
                 const glm::dvec3 transmitted = (cosine / key.eta - cosT) * wm - wo / static_cast<double>(key.eta);
-                if (transmitted.z < 0) left += facets.g2(wo, transmitted) * share.y;
+                if (transmitted.z < 0) second = facets.g2(wo, transmitted) * share.y;
             }
-            sum.lost += density * ((owns ? g1 : 0) - left);
+            first += density * seen * share.x;
+            sum.second += density * second;
+            sum.lost += density * (g1 - seen * share.x - second);
         }
     }
-    sum.first /= kSteps * kSteps;
-    sum.lost = std::max(0.0, sum.lost / (kSteps * kSteps));
-    sum.first = std::min(sum.first, 1 - sum.lost);
-    return sum;
+    constexpr double kPlaces = kSteps * kSteps;
+    if (!owns) sum.lost = kPlaces - first - sum.second;
+    if (sum.lost < 0) sum.second = std::clamp(kPlaces - first, 0.0, sum.second);
+    return {sum.second / kPlaces, std::max(0.0, sum.lost / kPlaces)};
 }
 
 /// From kDeltaAlpha to 1, evenly in the fourth root.
@@ -108,9 +110,9 @@ Column makeRow(const AlbedoTableKey& key, std::size_t row) {
 std::uint32_t quantised(double value) {
     return static_cast<std::uint32_t>(std::lround(std::clamp(value, 0.0, 1.0) * 65535));
 }
-std::uint32_t packed(const Albedo& a) { return quantised(a.first) | quantised(std::sqrt(a.lost)) << 16U; }
+std::uint32_t packed(const Albedo& a) { return quantised(std::sqrt(a.second)) | quantised(std::sqrt(a.lost)) << 16U; }
 
-/// 2 ∫ E(μ) μ dμ of the quantised row as it is looked up: (first, lost). Steps crowd where grazing: μ = t⁴.
+/// 2 ∫ E(μ) μ dμ of the quantised row as it is looked up: (second, lost). Steps crowd where grazing: μ = t⁴.
 glm::dvec2 meanOf(const Column& column, double alpha) {
     constexpr int kSteps = 8192;
     glm::dvec2 sum(0);
@@ -123,7 +125,7 @@ glm::dvec2 meanOf(const Column& column, double alpha) {
             return glm::dvec2(word & 0xffffU, word >> 16U) / 65535.0;
         };
         const glm::dvec2 v = glm::mix(value(i), value(i + 1), place - static_cast<double>(i));
-        sum += glm::dvec2(v.x, v.y * v.y) * (8 * cosine * t * t * t / kSteps);
+        sum += v * v * (8 * cosine * t * t * t / kSteps);
     }
     return sum;
 }

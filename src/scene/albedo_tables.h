@@ -18,7 +18,7 @@ struct AlbedoTableKey {
     bool operator==(const AlbedoTableKey&) const = default;
 };
 
-/// kAlbedoTableWords cells, by quadrature: about 0.1 s on two cores.
+/// kAlbedoTableWords cells, by quadrature: about 0.2 s on two cores.
 [[nodiscard]] std::vector<AlbedoCell> makeAlbedoTable(const AlbedoTableKey& key);
 
 /// The table of glTF's facets (GGX, height-correlated), made at build time.

@@ -17,9 +17,9 @@ struct TablePlace {
 
 template <class Real>
 struct Albedo {
-    Real first, lost;
+    Real second, lost;
 
-    [[nodiscard]] Real second() const { return std::max(Real(0), 1 - first - lost); }
+    [[nodiscard]] Real first() const { return std::max(Real(0), 1 - second - lost); }
 };
 
 /// View of the kAlbedoTableWords cells of one table, or of none.
@@ -54,7 +54,7 @@ Albedo<Real> AlbedoTable::albedo(const TablePlace<Real>& place) const {
     const auto unpack = [](std::uint32_t word) { return Vec2<Real>(word & 0xffffU, word >> 16U) / Real(65535); };
     const auto row = [&](std::uint32_t a, std::uint32_t b) { return glm::mix(unpack(a), unpack(b), i.fraction); };
     const Vec2<Real> v = glm::mix(row(cell.x, cell.y), row(cell.z, cell.w), j.fraction);
-    return {v.x, v.y * v.y};
+    return {v.x * v.x, v.y * v.y};
 }
 
 template <class Real>

@@ -35,21 +35,7 @@ Vec3<Real> eonEval(const Bsdf<Real>& b, const Vec3<Real>& wo, const Vec3<Real>& 
     return (b.color * single + tint * std::max(Real(0), lost)) / kPiOf<Real>;
 }
 
-template <class Real>
-Real eonPdf(const Bsdf<Real>&, const Vec3<Real>&, const Vec3<Real>& wi) {
-    return cosinePdf(wi);
-}
-
-template <class Real>
-BsdfSample<Real> eonSample(const Bsdf<Real>&, const Vec3<Real>&, Real, const Vec2<Real>& u) {
-    return towards(squareToCosineHemisphere(u));
-}
-
-template <class Real>
-bool eonHasDensity(const Bsdf<Real>&, const Vec3<Real>&) {
-    return true;
-}
-
+VKPT_COSINE_WEIGHTED_BSDF(eon)
 VKPT_INSTANTIATE_BSDF(eon)
 
 }  // namespace vkpt::reference

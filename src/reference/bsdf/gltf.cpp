@@ -59,7 +59,7 @@ public:
     [[nodiscard]] Shares<Real> shares(const Vec3<Real>& wo) const {
         const Vec3<Real> f0 = glm::mix(Vec3<Real>(kF0<Real>), b_.color, b_.metallic);
         const Albedo<Real> o = at(wo);
-        const Vec3<Real> specular = delta_ ? specularFresnel(b_, wo.z) : f0 * o.first + o.second();
+        const Vec3<Real> specular = delta_ ? specularFresnel(b_, wo.z) : f0 * o.first() + o.second;
         const Real base = luminance((1 - b_.metallic) * b_.color * left(wo, o));
         const Real returned = delta_ ? Real(0) : luminance(returned_) * o.lost;
         return {shareOf(luminance(specular), returned + base), returned > 0 ? shareOf(returned, base) : Real(0)};
@@ -70,7 +70,7 @@ private:
     /// What the dielectric layer reflects, R.
     [[nodiscard]] Real reflected(const Albedo<Real>& a) const {
         if (delta_) return (1 + 20 * kF0<Real>) / 21;
-        return kF0<Real> * a.first + a.second() + dielectric_ * a.lost;
+        return kF0<Real> * a.first() + a.second + dielectric_ * a.lost;
     }
     /// What it leaves towards w.
     [[nodiscard]] Real left(const Vec3<Real>& w, const Albedo<Real>& a) const {

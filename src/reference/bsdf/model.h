@@ -121,6 +121,21 @@ template <class Real>
     template Real stem##Pdf(const Bsdf<Real>&, const Vec3<Real>&, const Vec3<Real>&);                      \
     template BsdfSample<Real> stem##Sample(const Bsdf<Real>&, const Vec3<Real>&, Real, const Vec2<Real>&); \
     template bool stem##HasDensity(const Bsdf<Real>&, const Vec3<Real>&);
+/// Density and draws of a model that is nothing but diffuse: cosine-weighted.
+#define VKPT_COSINE_WEIGHTED_BSDF(stem)                                                              \
+    template <class Real>                                                                            \
+    Real stem##Pdf(const Bsdf<Real>&, const Vec3<Real>&, const Vec3<Real>& wi) {                     \
+        return cosinePdf(wi);                                                                        \
+    }                                                                                                \
+    template <class Real>                                                                            \
+    BsdfSample<Real> stem##Sample(const Bsdf<Real>&, const Vec3<Real>&, Real, const Vec2<Real>& u) { \
+        return towards(squareToCosineHemisphere(u));                                                 \
+    }                                                                                                \
+    template <class Real>                                                                            \
+    bool stem##HasDensity(const Bsdf<Real>&, const Vec3<Real>&) {                                    \
+        return true;                                                                                 \
+    }
+
 #define VKPT_INSTANTIATE_BSDF(stem)        \
     VKPT_INSTANTIATE_BSDF_FOR(stem, float) \
     VKPT_INSTANTIATE_BSDF_FOR(stem, double)

@@ -43,21 +43,7 @@ Vec3<Real> orenNayarEval(const Bsdf<Real>& b, const Vec3<Real>& wo, const Vec3<R
     return glm::max(Vec3<Real>(0), b.color / kPiOf<Real> * (direct + b.color * interreflected));
 }
 
-template <class Real>
-Real orenNayarPdf(const Bsdf<Real>&, const Vec3<Real>&, const Vec3<Real>& wi) {
-    return cosinePdf(wi);
-}
-
-template <class Real>
-BsdfSample<Real> orenNayarSample(const Bsdf<Real>&, const Vec3<Real>&, Real, const Vec2<Real>& u) {
-    return towards(squareToCosineHemisphere(u));
-}
-
-template <class Real>
-bool orenNayarHasDensity(const Bsdf<Real>&, const Vec3<Real>&) {
-    return true;
-}
-
+VKPT_COSINE_WEIGHTED_BSDF(orenNayar)
 VKPT_INSTANTIATE_BSDF(orenNayar)
 
 }  // namespace vkpt::reference

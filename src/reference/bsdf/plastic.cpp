@@ -10,13 +10,15 @@ namespace {
 template <class Real>
 Real entered(const Bsdf<Real>& b, const Vec3<Real>& w) {
     if (b.isDelta()) return 1 - dielectricFresnel(w.z, b.eta.x);
-    return 1 - b.table.albedo(albedoPlace(b, w)).first;
+    const Albedo<Real> albedo = b.table.albedo(albedoPlace(b, w));
+    return albedo.second + albedo.lost;
 }
 
 template <class Real>
 Real enteredMean(const Bsdf<Real>& b) {
     if (b.isDelta()) return 1 - b.average.x;
-    return 1 - albedoMean(b, b.table).first;
+    const Albedo<Real> mean = albedoMean(b, b.table);
+    return mean.second + mean.lost;
 }
 
 template <class Real>

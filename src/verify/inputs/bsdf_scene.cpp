@@ -1,9 +1,6 @@
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "bvh/build.h"
 #include "scene/bsdf_spec.h"
-#include "scene/environment.h"
-#include "verify/inputs/random_inputs.h"
 #include "verify/inputs/scenes.h"
 
 namespace vkpt {
@@ -45,11 +42,7 @@ SceneArrays makeBsdfPatches(bool multiscatter) {
                   {makeTransform({x, y, 0.5F}, 10.0F * static_cast<float>(i), {0.3F, 1, 0.1F}, glm::vec3(0.36F))});
     }
     SceneArrays arrays = flatten(scene, {.multiscatter = multiscatter});
-    EnvironmentMap map{8, 4, {}};
-    RandomInputs random(91);
-    for (int i = 0; i < 32; ++i) map.texels.push_back(random.inBox({0.1F, 0.1F, 0.1F}, {0.6F, 0.7F, 0.9F}));
-    addEnvironment(arrays, map, 1, 30);
-    buildBvh(arrays);
+    finishUnderNoise(arrays, 91);
     return arrays;
 }
 

@@ -75,6 +75,14 @@ SceneArrays makeArrays(const Scene& scene, const FlattenOptions& options) {
     return arrays;
 }
 
+void finishUnderNoise(SceneArrays& arrays, std::uint32_t seed) {
+    EnvironmentMap map{8, 4, {}};
+    RandomInputs random(seed);
+    for (int i = 0; i < 32; ++i) map.texels.push_back(random.inBox({0.1F, 0.1F, 0.1F}, {0.6F, 0.7F, 0.9F}));
+    addEnvironment(arrays, map, 1, 30);
+    buildBvh(arrays);
+}
+
 Scene makeLamps() {
     Scene scene;
     scene.images.push_back(makeNoise(8, 5, 30));
@@ -172,11 +180,7 @@ SceneArrays makeEverything(bool instances) {
         scene.instances.push_back(instance);
     }
     SceneArrays arrays = flatten(scene, {.instancing = instances, .instancingThreshold = 0});
-    EnvironmentMap map{8, 4, {}};
-    RandomInputs random(70);
-    for (int i = 0; i < 32; ++i) map.texels.push_back(random.inBox({0.1F, 0.1F, 0.1F}, {0.6F, 0.7F, 0.9F}));
-    addEnvironment(arrays, map, 1, 30);
-    buildBvh(arrays);
+    finishUnderNoise(arrays, 70);
     return arrays;
 }
 

@@ -34,6 +34,9 @@ void addObject(Scene& scene, Primitive primitive, const std::vector<glm::mat4>& 
 /// flatten and buildBvh.
 [[nodiscard]] SceneArrays makeArrays(const Scene& scene, const FlattenOptions& options = {});
 
+/// Lights a scene by 8 x 4 texels of noise, turned by 30 degrees, and builds its BVH.
+void finishUnderNoise(SceneArrays& arrays, std::uint32_t seed);
+
 /// A floor under every kind of light: emissive triangles of one side, of two sides, with a texture, a point light
 /// without and one with a range, a spot light, a directional light. No environment.
 [[nodiscard]] Scene makeLamps();

@@ -52,7 +52,7 @@ reference::Bsdf<double> bsdfOf(const In& in) {
     return b;
 }
 
-glm::dvec3 whole(const reference::Albedo<double>& a) { return {a.first, a.second(), a.lost}; }
+glm::dvec3 whole(const reference::Albedo<double>& a) { return {a.first(), a.second, a.lost}; }
 
 void compare(const SceneArrays& arrays, const In& in, const Out& out, Findings& findings) {
     const reference::AlbedoTable table{&arrays.albedoTables[in.table]};

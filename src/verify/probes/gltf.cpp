@@ -75,8 +75,7 @@ void compareValue(const SceneArrays& scene, const In& in, const Out& out, Findin
     const glm::dvec3 wo(in.wo), wi(in.wi);
     const double size = 1e-7 + 2e-6 * whiteValue(b, wo, wi);
     const double pSpecular = reference::gltfSpecularShare(b, wo);
-    // Of a black metal the table holds the rest of a sum near 1.
-    const double choice = b.compensates() && in.base == glm::vec3(0) ? 4e-5 : 1e-6;
+    constexpr double choice = 1e-6;
     findings.near("pSpecular", out.pSpecular, pSpecular, choice, 1e-5);
     findings.near("f", out.f, reference::evalBsdf(b, wo, wi), size, 3e-5);
     // What an error in the choice of lobe weighs: a black metal is all specular, but for interreflection.

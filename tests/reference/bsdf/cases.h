@@ -58,7 +58,7 @@ inline std::vector<BsdfCase> fullCases() {
     }
     for (const char* spec :
          {"gltf:roughness=1", "gltf:roughness=0.1", "gltf:metallic=0.5,roughness=0.7", "oren_nayar:sigma=0.1",
-          "oren_nayar:sigma=1.5,color=1", "eon:roughness=0.1", "phong:exponent=1", "phong:exponent=3000",
+          "oren_nayar:sigma=1.5,color=1", "eon:roughness=0.1", "phong:exponent=0", "phong:exponent=3000",
           "blinn_phong:exponent=0", "blinn_phong:exponent=3000,diffuse=0.5", "blinn_phong:normalization=lecture",
           "conductor:metal=Au,alpha=0.02/0.3", "cook_torrance:alpha=0.5/0.05,weight=0.7,specular=0.5",
           "ashikhmin_shirley:exponent=0", "ashikhmin_shirley:exponent=2000/5,diffuse=1"})
