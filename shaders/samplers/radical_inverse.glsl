@@ -1,13 +1,14 @@
 // Radical inverses in prime bases, scrambled or not.
-// Table: a word a base b: {b | digits K << 11 | upper half of M << 16, floor((2^32 - 1) / b), lower half of M, first of the
-// Faure permutation}; b^K is the first power of b of 24 bits or more, M = ceil(2^64 / b^K). Then Faure's permutations,
-// 16 bits an element.
+// Table: a word a base b: {b | D << 11 | upper half of M << 16, floor((2^32 - 1) / b), lower half of M, b^(K - D)}; b^K is
+// the first power of b of 24 bits or more, M = ceil(2^64 / b^K), D digits of the K hold every sample index. Under faure,
+// where the permutation of each base begins, then the permutations, 16 bits an element.
 #ifndef VKPT_SAMPLERS_RADICAL_INVERSE
 #define VKPT_SAMPLERS_RADICAL_INVERSE
 #include "samplers/bits.glsl"
 
-uint faureDigit(uint first, uint digit) {
-    uint element = first + digit;
+// Faure's permutation of the d-th prime. [Faure 92]
+uint faureDigit(uint d, uint digit) {
+    uint first = sceneWord(scene.samplerTable + kHaltonDimensions + (d >> 2u))[d & 3u], element = first + digit;
     return (sceneWord(scene.samplerTable + (element >> 3u))[(element >> 1u) & 3u] >> ((element & 1u) * 16u)) & 0xffffu;
 }
 
@@ -15,51 +16,53 @@ uint faureDigit(uint first, uint digit) {
 struct DigitWalk {
     uvec4 entry;  // of the table
     Divisor base;
-    uint rest, value, key;
+    uint d, digits, rest, value, key;
 };
 
-// `d`: number of a prime. `key` names the scramble.
+// `d`: number of a prime. `key` names the scramble; unscrambled digits end in zeros.
 DigitWalk beginWalk(uint index, uint d, uint key) {
     uvec4 entry = sceneWord(scene.samplerTable + d);
-    return DigitWalk(entry, Divisor(entry.x & 0x7ffu, entry.y), index, 0u, key);
+    bool random = kScramble == kScrambleOwen || kScramble == kScrambleDigit;
+    return DigitWalk(entry, Divisor(entry.x & 0x7ffu, entry.y), d, (entry.x >> 11u) & 31u, index, 0u, random ? key : 0u);
 }
 
-uint digitsOf(DigitWalk w) { return (w.entry.x >> 11u) & 31u; }
-
-// none; faure: one permutation a base [Faure 92]; digit: a random one a place; owen: a random one a node of the digit
-// tree. Random ones are affine maps modulo b: any two digits go to any two others alike, which is all that the variance
-// of nested uniform scrambling rests on. [Owen 03]
-uint scrambleDigit(inout DigitWalk w, uint digit) {
-    if (kScramble == kScrambleFaure) return faureDigit(w.entry.w, digit);
+// Random permutations are affine maps modulo b: any two digits go to any two others alike, which is all that the
+// variance of nested uniform scrambling rests on. [Owen 03]
+uint permuteDigit(DigitWalk w, uint digit) {
+    if (kScramble == kScrambleFaure) return faureDigit(w.d, digit);
     if (kScramble == kScrambleNone) return digit;
-    uint node = mixBits(w.key);
-    w.key = kScramble == kScrambleOwen ? node ^ digit : node;
-    uint factor = 1u + (((node * 0x9e3779b9u) >> 16u) * (w.base.d - 1u) >> 16u);
-    return divide(factor * digit + multiplyHigh(node, w.base.d), w.base).y;
+    uint factor = 1u + ((w.key & 0xffffu) * (w.base.d - 1u) >> 16u);
+    uint n = factor * digit + multiplyHigh(w.key, w.base.d);
+    uint remainder = n - multiplyHigh(n, w.base.reciprocal) * w.base.d;  // or b more
+    return min(remainder, remainder - w.base.d);
 }
 
-// Digit number k; those beyond 24 bits do not count.
+// Digit number k, as long as there are any but zeros. digit: a permutation a place; owen: a permutation a node of the
+// tree of digits, where below a zero lies what below it lay in the fraction key / 2^32.
 void takeDigit(inout DigitWalk w, uint k) {
     uvec2 split = divide(w.rest, w.base);
+    uint value = w.value * w.base.d + permuteDigit(w, split.y), key = w.key * w.base.d;
+    if (kScramble == kScrambleOwen && split.y != 0u) key = mixBits(w.key ^ split.y);
+    bool counts = k < w.digits;
     w.rest = split.x;
-    uint digit = scrambleDigit(w, split.y);
-    w.value = k < digitsOf(w) ? w.value * w.base.d + digit : w.value;
+    w.value = counts ? value : w.value;
+    w.key = counts ? key : w.key;
 }
 
-uint inverseOf(DigitWalk w) { return w.value * (w.entry.x >> 16u) + multiplyHigh(w.value, w.entry.z); }
+// All zeros that follow become the first digits of key / 2^32.
+uint inverseOf(DigitWalk w) {
+    uint value = w.value * w.entry.w + multiplyHigh(w.key, w.entry.w);
+    return value * (w.entry.x >> 16u) + multiplyHigh(value, w.entry.z);
+}
 
-// Inverses of `index` in prime numbers d.x and d.y, 32-bit fixed point. Two at a time, and eight digits at a time, which
-// is all that bases from 11 on have: a loop saves and loads all that is live at each round.
-const uint kDigitsAtOnce = 8u;
-
+// Inverses of `index` in prime numbers d.x and d.y, 32-bit fixed point. Two at a time, since a loop saves and loads all
+// that is live at each round.
 uvec2 radicalInverses(uint index, uvec2 d, uvec2 keys) {
     DigitWalk a = beginWalk(index, d.x, keys.x), b = beginWalk(index, d.y, keys.y);
-    uint digits = max(digitsOf(a), digitsOf(b));
-    for (uint begin = 0u; begin < digits; begin += kDigitsAtOnce) {
-        for (uint k = 0u; k < kDigitsAtOnce; ++k) {
-            takeDigit(a, begin + k);
-            takeDigit(b, begin + k);
-        }
+    uint digits = max(a.digits, b.digits);
+    for (uint k = 0u; k < digits; ++k) {
+        takeDigit(a, k);
+        takeDigit(b, k);
     }
     return uvec2(inverseOf(a), inverseOf(b));
 }

@@ -9,7 +9,8 @@
 namespace vkpt {
 
 /// The words that shaders/samplers/STEM.glsl documents; empty where the sampler reads none. Below 1 MiB.
-[[nodiscard]] std::vector<std::uint32_t> samplerTable(SamplerChoice sampler);
+/// `lastIndex`: the highest sample index that kernels may meet.
+[[nodiscard]] std::vector<std::uint32_t> samplerTable(SamplerChoice sampler, std::uint32_t lastIndex = ~0U);
 
 /// Faure's permutation of 0 … base - 1. [Faure 92]
 [[nodiscard]] std::vector<std::uint32_t> faurePermutation(std::uint32_t base);

@@ -12,10 +12,11 @@ const Kernel& Prober::kernel(const std::string& name, const ProbeOptions& option
     return kernels_.emplace(key, makeProbeKernel(device_, spirv_(name), name, options)).first->second;
 }
 
-ProbeScene::ProbeScene(Prober& prober, const SceneArrays& arrays, const RenderParams& params, SamplerChoice sampler)
-    : prober_(prober), features_(arrays.features), sampler_(sampler) {
+ProbeScene::ProbeScene(Prober& prober, const SceneArrays& arrays, const RenderParams& params, SamplerChoice sampler,
+                       std::uint32_t lastIndex)
+    : prober_(prober), features_(arrays.features), sampler_(sampler), lastIndex_(lastIndex) {
     Device& device = prober.device();
-    const SceneLayout layout = planScene(arrays, sampler);
+    const SceneLayout layout = planScene(arrays, sampler, lastIndex);
     header_ = layout.header;
     struct {
         SceneHeader scene;
@@ -33,7 +34,8 @@ ProbeScene::ProbeScene(Prober& prober, const SceneArrays& arrays, const RenderPa
 ProbeOptions ProbeScene::options(Fetch form) const {
     const bool texel = form == Fetch::Texel;
     ProbeOptions options;
-    options.specialization = specializationOf(features_, header_, {.sampler = sampler_, .fetchTexel = texel});
+    options.specialization =
+        specializationOf(features_, header_, {.sampler = sampler_, .lastIndex = lastIndex_, .fetchTexel = texel});
     options.extraKinds = {BindingKind::UniformBuffer, BindingKind::StorageBuffer, BindingKind::StorageTexel};
     options.extra = {frame_, texel ? dummy_ : scene_, texel ? sceneTexels_ : dummyTexels_};
     return options;

@@ -53,8 +53,9 @@ inline constexpr std::array kFetchForms = {Fetch::Texel, Fetch::Storage};
 /// A scene as WavefrontRenderer uploads it, at bindings 2 (frame), 3 (storage words) and 4 (texels).
 class ProbeScene {
 public:
+    /// `lastIndex`: the highest sample index that a probe may ask for.
     ProbeScene(Prober& prober, const SceneArrays& arrays, const RenderParams& params = {},
-               SamplerChoice sampler = SamplerId::Random);
+               SamplerChoice sampler = SamplerId::Random, std::uint32_t lastIndex = ~0U);
 
     [[nodiscard]] const SceneHeader& header() const { return header_; }
     /// Bindings and specialization for one fetch form; valid as long as this object.
@@ -78,6 +79,7 @@ private:
     Prober& prober_;
     SceneFeatures features_;
     SamplerChoice sampler_;
+    std::uint32_t lastIndex_;
     SceneHeader header_;
     Buffer frame_, scene_, dummy_;
     TexelView sceneTexels_, dummyTexels_;

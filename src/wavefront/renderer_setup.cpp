@@ -45,6 +45,8 @@ std::uint32_t setSamples(const RenderOptions& options) {
     return samplerInfo(options.sampler.id).counts == SampleCounts::Any ? 0 : options.params.spp;
 }
 
+std::uint32_t lastIndex(const RenderOptions& options) { return std::max(options.params.spp, 1U) - 1; }
+
 }  // namespace
 
 WavefrontRenderer::Impl::Impl(const SceneArrays& arrays, const RenderOptions& renderOptions,
@@ -52,7 +54,7 @@ WavefrontRenderer::Impl::Impl(const SceneArrays& arrays, const RenderOptions& re
     : options(renderOptions),
       config(wavefrontConfig),
       device({config.device, config.validation}),
-      layout(planScene(arrays, options.sampler)),
+      layout(planScene(arrays, options.sampler, lastIndex(options))),
       filmLayout(options.aovs),
       capacity(config.pathsInFlight != 0 ? config.pathsInFlight : kDefaultPaths),
       texels(useTexels(device, config.fetch, layout.bytes)),
@@ -61,7 +63,7 @@ WavefrontRenderer::Impl::Impl(const SceneArrays& arrays, const RenderOptions& re
       kernels(device, config.kernels ? config.kernels : SpirvSource(kernelSpirv),
               specializationOf(arrays.features, layout.header,
                                {.sampler = options.sampler,
-                                .lastIndex = std::max(options.params.spp, 1U) - 1,
+                                .lastIndex = lastIndex(options),
                                 .setSamples = setSamples(options),
                                 .fetchTexel = texels,
                                 .useBallot = ballot,

@@ -38,9 +38,9 @@ void forEachSection(const SceneArrays& a, Layout& layout, const Visit& visit) {
 
 }  // namespace
 
-SceneLayout planScene(const SceneArrays& arrays, SamplerChoice sampler) {
+SceneLayout planScene(const SceneArrays& arrays, SamplerChoice sampler, std::uint32_t lastIndex) {
     SceneLayout layout;
-    layout.samplerTable = samplerTable(sampler);
+    layout.samplerTable = samplerTable(sampler, lastIndex);
     std::size_t words = 0;
     forEachSection(arrays, layout, [&](uint& offset, std::span<const std::byte> bytes) {
         if (words >= kNone) throw DeviceError("the scene needs more than 64 GiB on the device");

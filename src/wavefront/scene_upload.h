@@ -15,8 +15,9 @@ struct SceneLayout {
     std::size_t bytes = 0;
 };
 
-/// Where each section starts. Throws DeviceError where the scene has 2^32 words or more.
-[[nodiscard]] SceneLayout planScene(const SceneArrays& arrays, SamplerChoice sampler);
+/// Where each section starts. `lastIndex`: the highest sample index that kernels may meet. Throws DeviceError where the
+/// scene has 2^32 words or more.
+[[nodiscard]] SceneLayout planScene(const SceneArrays& arrays, SamplerChoice sampler, std::uint32_t lastIndex);
 /// Fills `buffer`, made for planScene's bytes.
 void uploadScene(Device& device, const Buffer& buffer, const SceneArrays& arrays, const SceneLayout& layout);
 

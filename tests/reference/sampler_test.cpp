@@ -54,8 +54,9 @@ TEST(EverySampler, EqualsWorkedValues) {
         {SamplerId::Cmj, id, 10, 0x721c045fU},
         {SamplerId::Orthogonal, {pack(3, 5), 7, 121, 11}, 10, 0x1ebc4e7aU},
         {SamplerId::Orthogonal, {pack(3, 5), 130, 121, 11}, 13, 0xfbca8b44U},
-        {SamplerId::Halton, id, 10, 0x2ff59dedU},
-        {{SamplerId::Halton, ScrambleId::Digit}, id, 10, 0x2a487cd0U},
+        {SamplerId::Halton, id, 10, 0x8db9f4e3U},
+        {SamplerId::Halton, {pack(3, 5), 100, 128, 11}, 2, 0xac527e04U},  // 100 ends in two zeros in base 5
+        {{SamplerId::Halton, ScrambleId::Digit}, id, 10, 0x94a0f430U},
         {{SamplerId::Halton, ScrambleId::None}, id, 10, 0x39ce739cU},
         {SamplerId::Sobol02, id, 10, 0xc8eb49ceU},
         {SamplerId::Sobol02, id, 11, 0x1d778304U},

@@ -19,13 +19,14 @@ public:
         switch (scramble_) {
             case ScrambleId::Faure:
                 return faureDigit(digit, base_);
-            case ScrambleId::Digit:
-                key_ = mixBits(key_);
-                return permuted(digit);
-            case ScrambleId::Owen: {
-                key_ = mixBits(key_);
+            case ScrambleId::Digit: {
                 const std::uint32_t result = permuted(digit);
-                key_ ^= digit;  // the permutations below this digit are its own
+                key_ *= base_;
+                return result;
+            }
+            case ScrambleId::Owen: {
+                const std::uint32_t result = permuted(digit);
+                key_ = digit == 0 ? key_ * base_ : mixBits(key_ ^ digit);  // the permutations below are the digit's own
                 return result;
             }
             default:
@@ -36,7 +37,7 @@ public:
 private:
     /// A random affine map modulo the base: any two digits go to any two others alike. [Owen 03]
     [[nodiscard]] std::uint32_t permuted(std::uint32_t digit) const {
-        const std::uint32_t factor = 1 + (key_ * 0x9e3779b9U >> 16U) * (base_ - 1) / 65536;
+        const std::uint32_t factor = 1 + (key_ & 0xffffU) * (base_ - 1) / 65536;
         return (factor * digit + scaled(key_, base_)) % base_;
     }
 
