@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <ctime>
 #include <iostream>
 #include <memory>
 
@@ -40,6 +41,9 @@ std::filesystem::path defaultScene() {
     throw Error(ExitCode::Usage, "SCENE is required: scenes/cornell_box is not beside this program");
 }
 
+/// CPU time of all threads of this process so far, in seconds.
+double cpuSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
 /// One backend: `repeat` runs without timestamps for the rate, of which the best counts; then one with them.
 Json benchBackend(const BenchCommand& c, const PreparedScene& prepared, Backend backend) {
     BackendOptions options = c.backend;
@@ -51,13 +55,15 @@ Json benchBackend(const BenchCommand& c, const PreparedScene& prepared, Backend 
     control.progress = [&](std::uint64_t done, std::uint64_t) {
         if (firstPass == 0 && done > 0) firstPass = prepareSeconds + secondsSinceStart() - begin;
     };
-    Json runs = Json::array();
+    Json runs = Json::array(), cpuRuns = Json::array();
     RenderReport best;
     const SampleRange range{prepared.options.sampleBegin, prepared.options.sampleEnd};
     const auto renderer = makeRenderer(prepared.arrays, prepared.options, options, false);
     for (unsigned i = 0; i < c.repeat && !control.shouldStop(); ++i) {
         RenderReport report;
+        const double cpuBegin = cpuSeconds();
         (void)renderer->render(range, control, report);
+        cpuRuns.push_back(cpuSeconds() - cpuBegin);
         runs.push_back(report.renderSeconds);
         if (i == 0 || report.renderSeconds < best.renderSeconds) best = report;
     }
@@ -69,6 +75,7 @@ Json benchBackend(const BenchCommand& c, const PreparedScene& prepared, Backend 
     if (control.shouldStop()) throw Error(ExitCode::Interrupted, "interrupted: no figures");
     Json result = reportJson(best);
     result["runSeconds"] = runs;
+    result["runCpuSeconds"] = cpuRuns;  // less disturbed by other processes, of which a busy machine has some
     result["secondsToFirstPass"] = firstPass;
     return result;
 }

@@ -20,7 +20,7 @@ def main():
                                      epilog="example: tools/figures -o sampling.html")
     parser.add_argument("--quick", action="store_true", help="small and fast, for continuous integration")
     parser.add_argument("--measure", action="store_true", help="instead of the page, error and cost of every sampler: "
-                        "Markdown tables, and JSON as FILE; half an hour")
+                        "Markdown tables, and JSON as FILE; an hour")
     parser.add_argument("--assets", metavar="FOLDER", help="of --measure: holds models/DamagedHelmet.glb and "
                         "env/royal_esplanade_1k.hdr, which are measured too")
     parser.add_argument("-o", "--output", metavar="FILE", help="file to write (default: figures.html, or samplers.json)")

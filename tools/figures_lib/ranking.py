@@ -1,8 +1,10 @@
 """Measures every sampler: its error on scenes, and what it costs. Prints Markdown tables, writes JSON.
 
-Error: relMSE of `vkpt diff`, mean over seeds, over that of `random` at as many samples. Cost: paths a second of `random`
-over those of the sampler, by `vkpt bench`, samplers taking turns, the best of all turns.
+Error: relMSE of `vkpt diff`, mean over seeds, over that of `random` at as many samples. Cost: CPU time of the runs of
+`vkpt bench`, over that of `random`; samplers take turns and the least of all turns counts. Beside it the same by paths a
+second, which other processes disturb more.
 """
+import concurrent.futures
 import json
 import pathlib
 import sys
@@ -13,6 +15,7 @@ import numpy as np
 from . import vkpt
 
 SPP, REFERENCE_SEED = 64, 1000
+SEEDS, HELMET_SEEDS = 8, 32  # fireflies rule the helmet's means
 HELMET_VIEW = ["--eye", "1.8,1.0,2.2", "--target", "0,0,0", "--fov", "45"]
 
 
@@ -27,12 +30,12 @@ def taken(sampler, spp):
 
 
 def scenes(assets):
-    """File or name of each scene, and the options to render it with."""
-    found = {name: (name, []) for name in ("cornell_box", "mis_plates")}
+    """File or name of each scene, the options to render it with, and how many seeds its means take."""
+    found = {name: (name, [], SEEDS) for name in ("cornell_box", "mis_plates")}
     if assets is not None:
         folder = pathlib.Path(assets).resolve()
         sky = folder / "env" / "royal_esplanade_1k.hdr"
-        found["DamagedHelmet"] = (folder / "models" / "DamagedHelmet.glb", ["--env", sky, *HELMET_VIEW])
+        found["DamagedHelmet"] = (folder / "models" / "DamagedHelmet.glb", ["--env", sky, *HELMET_VIEW], HELMET_SEEDS)
     return found
 
 
@@ -54,8 +57,10 @@ def scene_errors(folder, scene, options, size, seeds, reference_spp, names):
     reference = vkpt.render(folder, scene, size, reference_spp, "sobol", REFERENCE_SEED, *options)
 
     def all_seeds(sampler, spp):
-        images = (vkpt.render(folder, scene, size, spp, sampler, seed, *options) for seed in range(seeds))
-        whole, trimmed = zip(*(errors(image, reference) for image in images))
+        with concurrent.futures.ThreadPoolExecutor(2) as pool:  # one starts while the other renders
+            found = pool.map(lambda seed: errors(vkpt.render(folder, scene, size, spp, sampler, seed, *options),
+                                                 reference), range(seeds))
+            whole, trimmed = zip(*found)
         return {"relMSE": whole, "trimmed": trimmed}
 
     base, result = {}, []
@@ -74,13 +79,17 @@ def scene_errors(folder, scene, options, size, seeds, reference_spp, names):
 
 
 def cost(names, spp, size, turns):
-    """Best paths a second of each, in millions."""
-    best = dict.fromkeys(names, 0.0)
+    """Least CPU time and most paths a second of each."""
+    best = {name: {"cpuSecondsAMillionPaths": float("inf"), "millionPathsPerSecond": 0.0} for name in names}
     for _ in range(turns):
         for sampler in names:
             report = json.loads(vkpt.run("bench", "--backend", "vulkan", "--size", f"{size}x{size}", "--spp", spp,
                                          "--sampler", sampler, "--repeat", 3, "--json"))
-            best[sampler] = max(best[sampler], report["results"][0]["millionPathsPerSecond"])
+            runs, found = report["results"][0], best[sampler]
+            paths = size * size * report["settings"]["spp"]
+            seconds = min(runs["runCpuSeconds"]) / paths * 1e6
+            found["cpuSecondsAMillionPaths"] = min(found["cpuSecondsAMillionPaths"], seconds)
+            found["millionPathsPerSecond"] = max(found["millionPathsPerSecond"], runs["millionPathsPerSecond"])
     return best
 
 
@@ -88,28 +97,40 @@ def markdown(header, rows):
     return "\n".join("| " + " | ".join(map(str, line)) + " |" for line in [header, ["---"] * len(header), *rows]) + "\n"
 
 
+def plus_minus(entry, kind):
+    return f"{entry[kind + 'OverRandom']:.2f} ± {entry[kind + 'Error']:.2f}"
+
+
 def error_table(found):
     """Ratios to random with their standard errors; in brackets without the worst 0.1 % of the pixels."""
     names = [entry["sampler"] for entry in next(iter(found.values()))]
-    rows = [[name] + [f"{e[k]['relMSEOverRandom']:.2f} ± {e[k]['relMSEError']:.2f} ({e[k]['trimmedOverRandom']:.2f})"
-                      for e in found.values()] for k, name in enumerate(names)]
+    rows = [[name] + [f"{plus_minus(e[k], 'relMSE')} ({plus_minus(e[k], 'trimmed')})" for e in found.values()]
+            for k, name in enumerate(names)]
     return markdown(["sampler", *found], rows)
 
 
 def cost_table(found):
+    """Ratios to random: of CPU time, in brackets of paths a second."""
     names = list(next(iter(found.values())))
-    rows = [[name] + [f"{best['random'] / best[name]:.2f}" for best in found.values()] for name in names]
+
+    def cell(best, name):
+        cpu = best[name]["cpuSecondsAMillionPaths"] / best["random"]["cpuSecondsAMillionPaths"]
+        paths = best["random"]["millionPathsPerSecond"] / best[name]["millionPathsPerSecond"]
+        return f"{cpu:.2f} ({paths:.2f})"
+
+    rows = [[name] + [cell(best, name) for best in found.values()] for name in names]
     return markdown(["sampler", *(f"{spp} spp" for spp in found)], rows)
 
 
 def measure(output, assets, quick):
-    size, seeds, reference_spp, turns = (32, 2, 256, 1) if quick else (64, 8, 16384, 4)
+    size, reference_spp, turns = (32, 256, 1) if quick else (64, 16384, 4)
     names = samplers()
-    report = {"size": size, "seeds": seeds, "reference": {"spp": reference_spp, "seed": REFERENCE_SEED}}
+    report = {"size": size, "reference": {"spp": reference_spp, "seed": REFERENCE_SEED}, "errors": {}}
     with tempfile.TemporaryDirectory() as folder:
-        report["errors"] = {name: scene_errors(folder, scene, options, size, seeds, reference_spp, names)
-                            for name, (scene, options) in scenes(assets).items()}
+        for name, (scene, options, seeds) in scenes(assets).items():
+            report["errors"][name] = scene_errors(folder, scene, options, size, 2 if quick else seeds, reference_spp,
+                                                  names)
     print(error_table(report["errors"]))
-    report["millionPathsPerSecond"] = {spp: cost(names, spp, 64 if quick else 256, turns) for spp in (16, 48)}
-    print(cost_table(report["millionPathsPerSecond"]))
+    report["cost"] = {spp: cost(names, spp, (256 if quick else 1024) // int(spp ** 0.5), turns) for spp in (16, 64)}
+    print(cost_table(report["cost"]))
     pathlib.Path(output).write_text(json.dumps(report, indent=1) + "\n", encoding="utf-8")

@@ -2,6 +2,7 @@
 import json
 import pathlib
 import subprocess
+import threading
 
 import numpy as np
 
@@ -38,7 +39,7 @@ def read_pfm(path):
 
 
 def render(folder, scene, size, spp, sampler, seed=0, *more):
-    target = pathlib.Path(folder) / "picture.pfm"
+    target = pathlib.Path(folder) / f"{threading.get_ident()}.pfm"
     file = ROOT / "scenes" / scene / "scene.gltf" if "/" not in str(scene) else scene
     run("render", file, "--size", f"{size}x{size}", "--spp", spp, "--sampler", sampler, "--seed", seed, "-q",
         "-o", target, *more)
