@@ -68,15 +68,12 @@ Value choose(std::string_view key, const Json& value, const std::array<Choice<Va
     refuse(key, value, fmt::format("one of {}", fmt::join(names, ", ")));
 }
 
-constexpr std::array kDistributions = {Choice{std::string_view("ggx"), Distribution::Ggx},
-                                       Choice{std::string_view("beckmann"), Distribution::Beckmann},
-                                       Choice{std::string_view("phong"), Distribution::Phong}};
-constexpr std::array kMaskings = {Choice{std::string_view("smith"), Masking::Correlated},
-                                  Choice{std::string_view("smith_separable"), Masking::Separable}};
-constexpr std::array kNormalizations = {Choice{std::string_view("conserving"), true},
-                                        Choice{std::string_view("lecture"), false}};
-constexpr std::array kIors = {Choice{std::string_view("water"), 1.333F}, Choice{std::string_view("glass"), 1.5F},
-                              Choice{std::string_view("diamond"), 2.417F}};
+constexpr auto kDistributions = std::to_array<Choice<Distribution>>(
+    {{"ggx", Distribution::Ggx}, {"beckmann", Distribution::Beckmann}, {"phong", Distribution::Phong}});
+constexpr auto kMaskings =
+    std::to_array<Choice<Masking>>({{"smith", Masking::Correlated}, {"smith_separable", Masking::Separable}});
+constexpr auto kNormalizations = std::to_array<Choice<bool>>({{"conserving", true}, {"lecture", false}});
+constexpr auto kIors = std::to_array<Choice<float>>({{"water", 1.333F}, {"glass", 1.5F}, {"diamond", 2.417F}});
 
 void readMetal(BsdfSpec& spec, const Json& value) {
     for (const Metal& metal : kMetals) {
