@@ -7,6 +7,7 @@
 
 #include "analysis/bsdf_measures.h"
 #include "analysis/bsdf_pictures.h"
+#include "analysis/facet_study.h"
 #include "reference/lone_bsdf.h"
 
 namespace vkpt {
@@ -132,6 +133,7 @@ Study studyBsdf(const BsdfStudyRequest& request) {
     for (std::size_t i = 0; i < request.specs.size(); ++i) {
         all.push_back(measure(request.specs[i], request));
         study.json.push_back(sidesJson(request.names[i], request.specs[i], all.back()));
+        if (request.facets) study.json.back()["facets"] = facetsJson(LoneBsdf(request.specs[i], false));
         study.table += sidesTable(request.names[i], all.back());
     }
     if (all.size() == 2)

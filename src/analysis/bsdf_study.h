@@ -14,6 +14,7 @@ struct BsdfStudyRequest {
     bool multiscatter = true;  ///< of pictures; the table has the energy with and without
     std::uint32_t seed = 0;
     std::uint32_t draws = 20000;  ///< a direction
+    bool facets = false;          ///< facetsJson in the JSON
     bool picture = false;         ///< fill Study::drawing
 };
 

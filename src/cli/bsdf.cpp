@@ -54,7 +54,9 @@ std::function<ExitCode()> setUpBsdf(CLI::App& app) {
     addParsed(app, "--seed", c->request.seed, numberWithin(0U), "N", "other draws (default: 0)", kWhole);
     app.add_option("-o,--output", c->output, fmt::format("picture to write: {}", kDrawingExtensions))
         ->type_name("FILE");
-    app.add_flag("--json", c->json, "as JSON");
+    const auto json = app.add_flag("--json", c->json, "as JSON");
+    app.add_flag("--facets", c->request.facets, "in the JSON D, G1 and G2 of the microfacets, a degree at a time")
+        ->needs(json);
     app.footer(app.get_footer() + "\n\nModels and their keys:\n" + bsdfHelp());
     return [c] { return runBsdf(*c); };
 }

@@ -76,5 +76,31 @@ TEST(BsdfStudy, ComparesTwo) {
     EXPECT_NE(study.table.find("difference of energy"), std::string::npos);
 }
 
+Json facetsOf(const std::string& spec) {
+    const Study study = studyBsdf({.specs = {parseBsdfSpec(spec)}, .names = {spec}, .draws = 1000, .facets = true});
+    return study.json.at("facets");
+}
+
+TEST(BsdfStudy, FacetsShowTheDistributionThatTheyAreDrawnFrom) {
+    for (const char* distribution : {"ggx", "beckmann", "phong"}) {
+        const Json facets = facetsOf(std::string("torrance_sparrow:alpha=0.4,distribution=") + distribution);
+        double projected = 0;  // the integral of D cos over the half sphere, a degree at a time
+        for (std::size_t i = 0; i < facets.at("degrees").size(); ++i) {
+            const double theta = facets.at("degrees")[i].get<double>() * kPi / 180;
+            projected += facets.at("D")[i].get<double>() * std::cos(theta) * std::abs(std::sin(theta)) * kPi;
+        }
+        EXPECT_NEAR(projected * kPi / 180, 1, 1e-3) << distribution;
+    }
+}
+
+TEST(BsdfStudy, VGroovesHideHalfOfWhatFacesBothDirectionsAtSixtyDegrees) {
+    const Json facets = facetsOf("torrance_sparrow:alpha=0.3");
+    for (const auto& g : facets.at("G2")) EXPECT_EQ(g.get<double>(), 1);
+    // Both directions at 60 degrees on one side: wm lies there too, 2 cos^2 of 60 degrees is 1/2.
+    EXPECT_NEAR(facets.at("G2From60")[89 - 60].get<double>(), 0.5, 1e-12);
+    EXPECT_TRUE(facetsOf("lambert").is_null());
+    EXPECT_TRUE(facetsOf("conductor:alpha=0").is_null());
+}
+
 }  // namespace
 }  // namespace vkpt
