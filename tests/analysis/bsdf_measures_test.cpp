@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/bsdf_study.h"
+#include "analysis/facet_study.h"
 #include "analysis/sphere_quadrature.h"
 #include "reference/lone_bsdf.h"
 
@@ -69,19 +70,19 @@ TEST(BsdfMeasures, ReciprocityErrorSeesAFault) {
 }
 
 TEST(BsdfStudy, ComparesTwo) {
-    const Study study = studyBsdf(
-        {.specs = {parseBsdfSpec("lambert"), parseBsdfSpec("mirror")}, .names = {"lambert", "mirror"}, .draws = 1000});
+    const Study study = studyBsdf({.specs = {parseBsdfSpec("lambert"), parseBsdfSpec("mirror")},
+                                   .names = {"lambert", "mirror"},
+                                   .draws = 1000,
+                                   .facets = true});
     EXPECT_EQ(study.json.at("bsdfs").size(), 2U);
+    EXPECT_TRUE(study.json.at("bsdfs").at(0).at("facets").is_null());
     EXPECT_NEAR(study.json.at("comparison").at(0).at("energyDifference").get<double>(), -0.2, 1e-3);
     EXPECT_NE(study.table.find("difference of energy"), std::string::npos);
 }
 
-Json facetsOf(const std::string& spec) {
-    const Study study = studyBsdf({.specs = {parseBsdfSpec(spec)}, .names = {spec}, .draws = 1000, .facets = true});
-    return study.json.at("facets");
-}
+Json facetsOf(const std::string& spec) { return facetsJson(reference::LoneBsdf(parseBsdfSpec(spec), false)); }
 
-TEST(BsdfStudy, FacetsShowTheDistributionThatTheyAreDrawnFrom) {
+TEST(FacetStudy, ShowsTheDistributionThatTheyAreDrawnFrom) {
     for (const char* distribution : {"ggx", "beckmann", "phong"}) {
         const Json facets = facetsOf(std::string("torrance_sparrow:alpha=0.4,distribution=") + distribution);
         double projected = 0;  // the integral of D cos over the half sphere, a degree at a time
@@ -93,7 +94,7 @@ TEST(BsdfStudy, FacetsShowTheDistributionThatTheyAreDrawnFrom) {
     }
 }
 
-TEST(BsdfStudy, VGroovesHideHalfOfWhatFacesBothDirectionsAtSixtyDegrees) {
+TEST(FacetStudy, VGroovesHideHalfOfWhatFacesBothDirectionsAtSixtyDegrees) {
     const Json facets = facetsOf("torrance_sparrow:alpha=0.3");
     for (const auto& g : facets.at("G2")) EXPECT_EQ(g.get<double>(), 1);
     // Both directions at 60 degrees on one side: wm lies there too, 2 cos^2 of 60 degrees is 1/2.

@@ -1,1 +1,1 @@
-"""Figures of the syllabus on sampling."""
+"""Figures of the syllabus on sampling and BSDFs."""

@@ -32,8 +32,19 @@ def table(header, rows):
     return f"<table><tr>{cells}</tr>{body}</table>"
 
 
-def write(path, sections):
-    parts = [f"<h2>{html.escape(s.title)}</h2><p>{html.escape(s.text)}</p>{s.body}" for s in sections]
+def anchor(title):
+    return "".join(c if c.isalnum() else "-" for c in title.lower())
+
+
+def write(path, parts):
+    """`parts` maps a heading to its sections."""
+    contents, body = "", ""
+    for heading, sections in parts.items():
+        links = (f'<a href="#{anchor(s.title)}">{html.escape(s.title)}</a>' for s in sections)
+        contents += f"<p><b>{html.escape(heading)}.</b> {' · '.join(links)}</p>"
+        body += f"<h1>{html.escape(heading)}</h1>"
+        body += "".join(f'<h2 id="{anchor(s.title)}">{html.escape(s.title)}</h2><p>{html.escape(s.text)}</p>{s.body}'
+                        for s in sections)
     with open(path, "w", encoding="utf-8") as file:
-        file.write(f'<!doctype html><html lang="en"><head><meta charset="utf-8"><title>Sampling</title>'
-                   f"<style>{STYLE}</style></head><body><h1>Sampling, seen</h1>{''.join(parts)}</body></html>\n")
+        file.write(f'<!doctype html><html lang="en"><head><meta charset="utf-8"><title>{" and ".join(parts)}</title>'
+                   f"<style>{STYLE}</style></head><body>{contents}{body}</body></html>\n")
