@@ -13,7 +13,7 @@ Section = collections.namedtuple("Section", "title text body")
 
 STYLE = """body{font:16px/1.5 sans-serif;max-width:72rem;margin:2rem auto;padding:0 1rem;color:#222}
 h1,h2{font-weight:600}h2{margin-top:3rem;border-top:1px solid #ddd;padding-top:1rem}img{max-width:100%}
-table{border-collapse:collapse}td,th{padding:.2rem .9rem;text-align:right;border-bottom:1px solid #eee}
+table{border-collapse:collapse;margin:1rem 0}td,th{padding:.2rem .9rem;text-align:right;border-bottom:1px solid #eee}
 td:first-child,th:first-child{text-align:left}p{max-width:48rem}"""
 
 

@@ -7,7 +7,8 @@ from .page import Section, figure, table
 
 
 def square(axes, points, title="", lines=None, size=None):
-    axes.scatter(points[:, 0], points[:, 1], s=size or max(2, 700 / len(points)), color="#0072b2", linewidths=0)
+    axes.scatter(points[:, 0], points[:, 1], s=size or max(2, 700 / len(points)), color="#0072b2", linewidths=0,
+                 clip_on=False)
     axes.set(xlim=(0, 1), ylim=(0, 1), aspect="equal", xticks=[], yticks=[])
     axes.set_title(title, fontsize=10)
     for k in range(1, lines or 0):
@@ -54,6 +55,23 @@ def jittered_grid_variance(dims, k, trials):
     return np.mean((np.array(means) - 1) ** 2)
 
 
+def projected_strata():
+    """About as many samples in full grids of 1, 2, 4 and 8 dimensions: what is left of the strata in two of them."""
+    rng = np.random.default_rng(8)
+    plot, axes = row(4)
+    for axis, (dims, k) in zip(axes, ((1, 64), (2, 8), (4, 3), (8, 2))):
+        corners = np.indices([k] * dims).reshape(dims, -1).T
+        points = (corners + rng.random(corners.shape)) / k
+        if dims == 1:
+            points = np.column_stack([points, np.full(k, 0.5)])
+        square(axis, points[:, :2], f"{dims}D: {k ** dims} samples,\n{k} strata a dimension", size=11)
+        for line in np.arange(1, k) / k:
+            axis.axvline(line, color="#ddd", lw=0.6, zorder=0)
+            if dims > 1:
+                axis.axhline(line, color="#ddd", lw=0.6, zorder=0)
+    return figure(plot)
+
+
 def curse(quick):
     plot, axes = plt.subplots(figsize=(6.4, 4))
     most, trials = (600, 40) if quick else (7000, 200)
@@ -75,7 +93,9 @@ def curse(quick):
                    "falls as N to the power -1 - 2/d: in 8 dimensions hardly faster than that of random samples. vkpt "
                    "jitters pairs of dimensions instead, which gains nothing more on functions that are not sums of "
                    "pairs: there too the slope goes back to -1.",
-                   figure(plot) + table(["dimensions", "strata a dimension from 64", "for 2 a dimension", "for 8 a dimension"], rows) +
+                   projected_strata() + figure(plot) +
+                   table(["dimensions", "strata a dimension of 64 samples", "samples for 2 a dimension",
+                          "samples for 8 a dimension"], rows) +
                    table(["slope", "2D Gaussian", "4D product", "8D product"], second))
 
 
@@ -92,12 +112,14 @@ def discrepancy(_quick):
     four = np.array([[0.22, 0.2], [0.3, 0.75], [0.75, 0.35], [0.8, 0.8]])
     axes[3].add_patch(plt.Rectangle((0, 0), 0.3, 0.3, color="#0072b2", alpha=0.2))
     square(axes[3], four, "the lecture's box: area 0.09\n0.25 - 0.09 = 0.16", size=40)
-    measured = vkpt.samples("--sampler", "random,jittered,hammersley,halton,sobol", "--count", 256, "--discrepancy")
+    measured = vkpt.samples("--sampler", "random,jittered,poissondisk,hammersley,halton,sobol", "--count",
+                            256, "--discrepancy")
     rows = [[e["sampler"], f"{e['star']['value']:.4f}", f"{e['l2Star']:.5f}"] for e in measured]
     rows.append(["expected of random", f"{measured[0]['random']['star']:.4f}",
                  f"{measured[0]['random']['l2Star']:.5f}"])
     return Section("Discrepancy", "How far the share of samples in a box at the origin can be from its area; the boxes "
-                   "drawn attain it.", figure(plot) +
+                   "drawn attain it. The last is the lecture's example: one of four samples stands for 0.25, its box "
+                   "has 0.09.", figure(plot) +
                    table(["256 points", "star", "L2 star"], rows))
 
 
@@ -105,7 +127,9 @@ def radical_inverse(_quick):
     study = vkpt.samples("--radical-inverse", 2, "--count", 8)
     rows = [[r["n"], r["number"], r["digits"], f"{r['inverse']} = {r['numerator']}/{r['denominator']}"]
             for r in study["rows"]]
-    return Section("Radical inverse", "The digits of n, the lowest first, put behind the point.",
+    return Section("Radical inverse", "n = d1 + d2 b + d3 b^2 + ...; its radical inverse in base b is 0.d1 d2 d3 ...: the "
+                   "digits, the lowest first, put behind the point. Halton's sequence takes another prime for every "
+                   "dimension; Hammersley's set has i/N in the first.",
                    table(["n", "in base 2", "d1 d2 ...", "radical inverse"], rows))
 
 

@@ -20,12 +20,13 @@ def picture(axes, image, title):
     axes.axis("off")
 
 
-def comparison(scene, quick):
-    size, reference_spp = (64, 256) if quick else (256, 2048)
-    samplers, counts = ("random", "halton", "sobol"), (4, 8)
+def comparison(scene, size, counts, reference_spp):
+    """Of one scene; `size` (width, height)."""
+    samplers = ("random", "halton", "sobol")
     with tempfile.TemporaryDirectory() as folder:
         reference = vkpt.render(folder, scene, size, reference_spp, "sobol", 999)
-        plot, axes = plt.subplots(len(counts), len(samplers) + 1, figsize=(12, 6.4))
+        height = 3.2 * size[1] / size[0]
+        plot, axes = plt.subplots(len(counts), len(samplers) + 1, figsize=(12, len(counts) * height), squeeze=False)
         rows = []
         for line, spp in zip(axes, counts):
             row = [f"{spp} spp"]
@@ -36,11 +37,14 @@ def comparison(scene, quick):
             picture(line[-1], shown(reference), f"reference, {reference_spp} spp")
             rows.append(row)
     plot.tight_layout()
-    return figure(plot) + table(["relMSE", *samplers], rows)
+    return figure(plot) + table([f"relMSE, {scene}", *samplers], rows)
 
 
 def pictures(quick):
-    body = "".join(comparison(scene, quick) for scene in ("cornell_box", "mis_plates"))
+    counts, reference_spp = ((4,), 64) if quick else ((4, 8), 1024)
+    sizes = {"cornell_box": (48, 48), "mis_plates": (64, 36)} if quick else {"cornell_box": (256, 256),
+                                                                             "mis_plates": (320, 180)}
+    body = "".join(comparison(scene, size, counts, reference_spp) for scene, size in sizes.items())
     return Section("Random, Halton and Sobol' at 4 and 8 samples", "Error against a reference of another seed.", body)
 
 
@@ -58,7 +62,7 @@ def low_share(power):
 
 
 def error_distribution(quick):
-    size, reference_spp, counts = (64, 256, (1, 4)) if quick else (256, 4096, (1, 2, 4))
+    size, reference_spp, counts = (48, 64, (1,)) if quick else (256, 1024, (1, 2, 4))
     samplers = ("random", "sobol", "zsobol", "bluenoise")
     rows, body = [], ""
     with tempfile.TemporaryDirectory() as folder:

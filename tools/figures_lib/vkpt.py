@@ -1,5 +1,6 @@
 """Runs vkpt and reads what it writes."""
 import json
+import os
 import pathlib
 import subprocess
 import threading
@@ -7,7 +8,7 @@ import threading
 import numpy as np
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-VKPT = ROOT / "build" / "release" / "src" / "vkpt"  # tools/figures has built it
+VKPT = os.environ.get("VKPT") or ROOT / "build" / "release" / "src" / "vkpt"  # which tools/figures has built
 
 
 def run(*arguments):
@@ -39,9 +40,11 @@ def read_pfm(path):
 
 
 def render(folder, scene, size, spp, sampler, seed=0, *more):
+    """`size`: of a square, or (width, height)."""
+    width, height = size if isinstance(size, tuple) else (size, size)
     target = pathlib.Path(folder) / f"{threading.get_ident()}.pfm"
     file = ROOT / "scenes" / scene / "scene.gltf" if "/" not in str(scene) else scene
-    run("render", file, "--size", f"{size}x{size}", "--spp", spp, "--sampler", sampler, "--seed", seed, "-q",
+    run("render", file, "--size", f"{width}x{height}", "--spp", spp, "--sampler", sampler, "--seed", seed, "-q",
         "-o", target, *more)
     return read_pfm(target)
 

@@ -1,0 +1,79 @@
+// tools/figures: its pages of the syllabus and its ranking of samplers, from the program that this build made.
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <regex>
+
+#include "base/json.h"
+#include "registry.h"
+#include "temporary_folder.h"
+
+namespace vkpt {
+namespace {
+
+using testing::HasSubstr;
+
+/// Runs figures_lib by the Python that Debian's packages belong to (python3-matplotlib among them, as tools/test
+/// installs it); the exit code.
+int runFigures(const std::string& arguments, const std::filesystem::path& log) {
+    const std::string command = "VKPT='" VKPT_BINARY "' PYTHONPATH='" VKPT_SOURCE
+                                "/tools' PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 -m figures_lib " +
+                                arguments + " > '" + log.string() + "' 2>&1";
+    const int status = std::system(command.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+/// What stands outside pictures, and their number.
+struct Page {
+    std::string text;
+    std::size_t pictures = 0;
+};
+
+Page readPage(const std::filesystem::path& file) {
+    Page page{.text = readText(file)};
+    const std::string begin = "src=\"data:image/png;base64,iVBORw0KGgo";  // the signature of PNG files
+    for (std::size_t at = page.text.find(begin); at != std::string::npos; at = page.text.find(begin, at)) {
+        const std::size_t end = page.text.find('"', at + begin.size());
+        EXPECT_GT(end - at, 4000U) << "picture " << page.pictures << " is next to empty";
+        page.text.erase(at, end - at);
+        ++page.pictures;
+    }
+    return page;
+}
+
+TEST(Figures, QuickPageShowsTheSyllabusOnSampling) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(runFigures("--quick --part sampling -o '" + (folder / "page.html").string() + "'", folder / "log"), 0)
+        << readText(folder / "log");
+    const Page page = readPage(folder / "page.html");
+    EXPECT_GE(page.pictures, 13U);
+    for (const char* shown :
+         {"Random against jittered", "shuffle columns", "The curse of dimensionality", "0.25 - 0.09 = 0.16",
+          "0.101 = 5/8", "base 97", "hammersley, 512", "(29, 30), faure", "product8", "Spectra of points",
+          "relMSE, cornell_box", "relMSE, mis_plates", "bluenoise, 1 spp"})
+        EXPECT_THAT(page.text, HasSubstr(shown));
+    EXPECT_FALSE(std::regex_search(page.text, std::regex(R"((>|\s)-?(nan|inf)\b)")));
+    EXPECT_EQ(page.text.find("http"), std::string::npos) << "a page that needs no other file";
+}
+
+TEST(Figures, FullMeasureRanksEverySampler) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(runFigures("--quick --measure -o '" + (folder / "ranks.json").string() + "'", folder / "log"), 0)
+        << readText(folder / "log");
+    const Json ranks = Json::parse(readText(folder / "ranks.json"));
+    for (const char* scene : {"cornell_box", "mis_plates"}) {
+        const Json& errors = ranks.at("errors").at(scene);
+        ASSERT_EQ(errors.size(), kSamplers.size());
+        for (std::size_t i = 0; i < kSamplers.size(); ++i) {
+            EXPECT_EQ(errors[i].at("sampler"), kSamplers[i].name);
+            EXPECT_GT(errors[i].at("relMSE"), 0.0);
+            EXPECT_LT(errors[i].at("trimmedOverRandom"), 1.1) << scene << ' ' << kSamplers[i].name;
+        }
+    }
+    for (const SamplerInfo& sampler : kSamplers)
+        EXPECT_GT(ranks.at("cost").at("64").at(std::string(sampler.name)).at("cpuSecondsAMillionPaths"), 0.0);
+}
+
+}  // namespace
+}  // namespace vkpt
