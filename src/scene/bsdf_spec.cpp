@@ -255,10 +255,10 @@ BsdfSpec defaultBsdf(BsdfId model) {
 BsdfSpec bsdfFromJson(const Json& json) {
     if (!json.is_object() || !json.contains("model")) throw std::invalid_argument("model: is missing");
     const BsdfId model = modelOf(json["model"]);
-    for (const auto& [name, value] : json.items()) {
-        const auto isThis = [&](const Key& key) { return key.name == name && reads(key, model); };
-        if (name != "model" && std::ranges::none_of(kKeys, isThis))
-            throw std::invalid_argument(fmt::format("{}: is no key of {}; its keys are {}", name,
+    for (const auto& item : json.items()) {
+        const auto isThis = [&](const Key& key) { return key.name == item.key() && reads(key, model); };
+        if (item.key() != "model" && std::ranges::none_of(kKeys, isThis))
+            throw std::invalid_argument(fmt::format("{}: is no key of {}; its keys are {}", item.key(),
                                                     kBsdfModels[static_cast<std::size_t>(model)].name, keysOf(model)));
     }
     refuseContradictions(json);
