@@ -122,15 +122,21 @@ def cost_table(found):
     return markdown(["sampler", *(f"{spp} spp" for spp in found)], rows)
 
 
+def save(output, report):
+    pathlib.Path(output).write_text(json.dumps(report, indent=1) + "\n", encoding="utf-8")
+
+
 def measure(output, assets, quick):
+    """Saves after every scene, so that a run cut short is not lost."""
     size, reference_spp, turns = (32, 256, 1) if quick else (64, 16384, 4)
     names = samplers()
     report = {"size": size, "reference": {"spp": reference_spp, "seed": REFERENCE_SEED}, "errors": {}}
+    report["cost"] = {spp: cost(names, spp, (256 if quick else 1024) // int(spp ** 0.5), turns) for spp in (16, 64)}
+    print(cost_table(report["cost"]), flush=True)
+    save(output, report)
     with tempfile.TemporaryDirectory() as folder:
         for name, (scene, options, seeds) in scenes(assets).items():
             report["errors"][name] = scene_errors(folder, scene, options, size, 2 if quick else seeds, reference_spp,
                                                   names)
+            save(output, report)
     print(error_table(report["errors"]))
-    report["cost"] = {spp: cost(names, spp, (256 if quick else 1024) // int(spp ** 0.5), turns) for spp in (16, 64)}
-    print(cost_table(report["cost"]))
-    pathlib.Path(output).write_text(json.dumps(report, indent=1) + "\n", encoding="utf-8")

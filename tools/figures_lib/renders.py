@@ -84,9 +84,10 @@ def error_distribution(quick):
             plot.tight_layout()
             body += figure(plot)
             rows.append([f"{spp} spp"] + [f"{s / shares[0]:.2f}" for s in shares])
-    return Section("Where the error lies on the screen", "Direct light in the Cornell box: zsobol and bluenoise push "
-                   "the same error to high frequencies, where it is seen less. The table: power below a quarter of "
-                   "Nyquist, over random's.", body + table(["low band", *samplers], rows))
+    return Section("Where the error lies on the screen", "Direct light in the Cornell box: at one sample zsobol and "
+                   "bluenoise push the same error to high frequencies, where it is seen less. With more samples zsobol "
+                   "still does, bluenoise hardly: its mask shifts all samples of a pixel alike. The table: power below a "
+                   "quarter of Nyquist, over random's.", body + table(["low band", *samplers], rows))
 
 
 SECTIONS = [pictures, error_distribution]
