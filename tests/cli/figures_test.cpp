@@ -57,6 +57,19 @@ TEST(Figures, QuickPageShowsTheSyllabusOnSampling) {
     EXPECT_EQ(page.text.find("http"), std::string::npos) << "a page that needs no other file";
 }
 
+TEST(Figures, FullQuickPageShowsTheSyllabusOnBsdfs) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(runFigures("--quick --part bsdfs -o '" + (folder / "page.html").string() + "'", folder / "log"), 0)
+        << readText(folder / "log");
+    const Page page = readPage(folder / "page.html");
+    EXPECT_GE(page.pictures, 12U);
+    for (const char* shown : {"copper; iron; gold; mercury; glass; diamond", "Phong, e = 7.5", "copper, 1981",
+                              "GGX\n0.05, 0.4", "EON, r = 1", "from 14 m", "D, logarithmic", "G of a mirrored pair",
+                              "<td>3.33", "glass, GGX", "metal, α = 0.6"})
+        EXPECT_THAT(page.text, HasSubstr(shown));
+    EXPECT_FALSE(std::regex_search(page.text, std::regex(R"((>|\s)-?(nan|inf)\b)")));
+}
+
 TEST(Figures, FullMeasureRanksEverySampler) {
     const TemporaryFolder folder;
     ASSERT_EQ(runFigures("--quick --measure -o '" + (folder / "ranks.json").string() + "'", folder / "log"), 0)

@@ -5,11 +5,11 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from . import bsdf_scenes as scenes
-from .bsdf_scenes import angles
+from .bsdf_scenes import outside
 from .page import Section, figure, table
 from .renders import picture, shown
 
-CELL = 1.95  # inches a picture
+CELL = 2.14  # inches a picture and what is between two: SIZE pixels are shown as as many
 STUDIO_EXPOSURE = 0.6
 
 
@@ -74,10 +74,11 @@ PAPER = (("copper plastic, 1981", "cook_torrance:preset=copper_plastic"),
 def from_phong_to_ggx(quick):
     return Section("From Phong to GGX",
                    "Five models of gold whose highlights are about as wide: exponents and roughness are those of one "
-                   "Gaussian of slopes, alpha = 0.25. Phong's lobe stays round about the mirror direction; the half "
-                   "vector of all others draws it out where light grazes (the lamp behind, on the right). Facets add "
-                   "Fresnel's rise and masking; GGX has a narrow peak and a long tail. The last two are the presets "
-                   "for the lecture's pictures of Cook and Torrance.", under_both_lights(LOBES + PAPER, quick))
+                   "Gaussian of slopes, α = 0.25. Where light grazes (the lamp behind, on the right) Phong's lobe is "
+                   "as wide as elsewhere and wraps round the rim; a half vector's grows narrow sideways, like lights on a "
+                   "wet road. Facets add Fresnel's rise and masking; GGX has a narrow peak and a long tail. The last "
+                   "two are the presets for the lecture's pictures of Cook and Torrance.",
+                   under_both_lights(LOBES + PAPER, quick))
 
 
 STRETCHES = (("GGX\n0.2, 0.2", "conductor:metal=Al,alpha=0.2"),
@@ -110,7 +111,7 @@ def profile(image):
     size = image.shape[1]
     rows = image[size // 2 - 1:size // 2 + 1].mean(axis=(0, 2))
     place = ((np.arange(size) + 0.5) / size * 2 - 1) / scenes.FILL
-    inside = np.abs(place) <= 1
+    inside = np.abs(place) < 0.98  # at the rim pixels are partly empty
     return place[inside], rows[inside]
 
 
@@ -118,7 +119,7 @@ def white():
     """Energy that the white surface reflects, by `vkpt bsdf`."""
     rows = []
     for title, spec, _ in DIFFUSE:
-        at = {round(a["cosine"], 3): a["energy"] for a in angles(spec.replace("0.8", "1"))}
+        at = {round(a["cosine"], 3): a["energy"] for a in outside(spec.replace("0.8", "1"))["angles"]}
         rows.append([title] + [f"{at[c]:.3f}" for c in COSINES])
     return rows
 

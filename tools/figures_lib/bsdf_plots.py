@@ -7,7 +7,7 @@ import numpy as np
 
 from . import bsdf_scenes as scenes
 from .bsdf_pictures import fill, sheet
-from .bsdf_scenes import angles, study
+from .bsdf_scenes import outside, study
 from .page import Section, figure, table
 
 WHITE = "eta=0.01,k=20"  # a metal that reflects 99.99 % at all angles
@@ -101,7 +101,7 @@ def empirical_energy(quick):
     for axis, exponent in zip(axes, exponents):
         row = [f"e = {exponent}"]
         for label, spec, color in EMPIRICAL:
-            at = angles(spec.format(exponent))
+            at = outside(spec.format(exponent))["angles"]
             axis.plot([a["cosine"] for a in at], [a["energy"] for a in at], color=color, marker=".", lw=1.3,
                       label=label)
             row += [f"{at[0]['energy']:.3f}"]
@@ -117,13 +117,14 @@ def empirical_energy(quick):
         entries = [(label.replace(", ", "\n"), spec.format(20)) for label, spec, _ in EMPIRICAL]
         entries.append(("GGX metal, α = 0.6\nwith multiscatter", f"conductor:{WHITE},alpha=0.6"))
         fill(cells[0], entries, scene, scenes.BARE, quick, "--env", "0.2,0.2,0.2")
+    worst = max(outside(spec.format(e))["reciprocityError"] for _, spec, _ in EMPIRICAL for e in exponents)
     header = ["along the normal", "Phong", "Blinn-Phong, lecture", "4(e + 2^(-e/2))/(e+4)", "conserving"]
     return Section("Energy that empirical models gain and lose",
                    "Share of the light that a white surface reflects, measured by vkpt bsdf. The lecture's factor "
                    "(e+2)/2π is right for the angle to the mirror direction; about the half vector the lobe fills four "
                    "times the solid angle, and up to four times the light comes out. Phong gains nothing and loses "
-                   "what its lobe sends below the horizon. Last, e = 20 in a uniform furnace: what keeps the energy "
-                   "cannot be seen.",
+                   f"what its lobe sends below the horizon. All are reciprocal in this form (worst error {worst:.0e}). "
+                   "Last, e = 20 in a uniform furnace: what keeps the energy cannot be seen.",
                    figure(plot) + table(header, rows) + figure(spheres))
 
 
@@ -137,12 +138,12 @@ def lost_and_regained(quick):
     alphas = (0.2, 0.8) if quick else (0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1)
     plot, axes = plt.subplots(1, len(SURFACES), figsize=(12.6, 3.5), sharey=True)
     for axis, (title, spec) in zip(axes, SURFACES):
-        at = [{round(a["cosine"], 3): a for a in angles(spec.format(alpha))} for alpha in alphas]
+        at = [{round(a["cosine"], 3): a for a in outside(spec.format(alpha))["angles"]} for alpha in alphas]
         for cosine, color in COSINES:
             axis.plot(alphas, [a[cosine]["energy"] for a in at], color=color, lw=1.4, label=f"cosine {cosine}, on")
             axis.plot(alphas, [a[cosine]["energyWithoutMultiscatter"] for a in at], color=color, lw=1.4, ls="--",
                       label=f"cosine {cosine}, off")
-        axis.set(title=title, xlabel="α", xlim=(0, 1), ylim=(0.4, 1.02))
+        axis.set(title=title, xlabel="α", xlim=(0, 1), ylim=(0.2, 1.02))
     axes[0].set(ylabel="reflected and transmitted share")
     axes[0].legend(fontsize=7)
     plot.tight_layout()

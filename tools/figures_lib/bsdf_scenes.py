@@ -1,4 +1,5 @@
 """What figures of BSDFs are made from: `vkpt bsdf`, and one sphere under several lights."""
+import functools
 import json
 import pathlib
 
@@ -74,6 +75,7 @@ def study(spec, *options):
     return json.loads(vkpt.run("bsdf", spec, "--json", "--draws", 1000, *options))
 
 
-def angles(spec):
-    """Rows of `vkpt bsdf`, one a cosine, seen from outside."""
-    return study(spec)["sides"][0]["angles"]
+@functools.cache
+def outside(spec):
+    """What `vkpt bsdf` says of a BSDF seen from outside: `reciprocityError`, and `angles`, a row for every cosine."""
+    return study(spec)["sides"][0]
