@@ -104,7 +104,7 @@ def seen_from(scene, which, distance, sky, quick):
 
 def views(folder, cells, quick):
     scene = surface_file(folder / "views", cells, VIEWED_ALPHA, ())
-    sky = write_sky(folder / "sky.hdr", 10.0, (0.3, 0.45, 0.7))
+    sky = write_sky(folder / "sky.hdr", 4.0, (0.3, 0.45, 0.7))
     plot, axes = sheet(2, len(DISTANCES), ("mirror triangles", "BRDF of their slopes"))
     for which, line in zip((FACETS, BRDF), axes):
         for axis, distance in zip(line, DISTANCES):
@@ -120,7 +120,7 @@ SERIES = (("once", "off", "--max-depth 1", "#0072b2"), ("all reflections", "on",
 
 def lobe(scene, sky, which, angles, quick, *options):
     """Mean radiance of a tile from every angle."""
-    size, spp = (8, 64) if quick else (16, 1024)
+    size, spp = (16, 128) if quick else (16, 1024)
     return [scenes.render(scene, size, spp, quick, "--scene", which, "--camera", f"{angle:g}", "--env", sky,
                           *options).mean() for angle in angles]
 
@@ -139,7 +139,7 @@ def lobes(axis, scene, sky, angles, quick):
 
 
 def levels_of_detail(quick):
-    cells, alphas = (64, (0.5,)) if quick else (384, (0.2, 0.7))
+    cells, alphas = (160, (0.5,)) if quick else (384, (0.2, 0.7))
     angles = (-20, 20, 50) if quick else (*range(-75, 30, 15), *range(30, 80, 5))
     plot, axes = plt.subplots(1, len(alphas), figsize=(5.4 * len(alphas), 3.8), squeeze=False)
     misses = []
