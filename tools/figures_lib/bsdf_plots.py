@@ -163,7 +163,7 @@ def furnace(quick):
         plot, axes = sheet(2, len(entries), ("multiscatter off", "on"))
         for line, switch in zip(axes, ("off", "on")):
             fill(line, entries, scene, scenes.BARE, quick, "--env", "0.5,0.5,0.5", "--multiscatter", switch,
-                 titled=switch == "off")
+                 "--max-depth", 64, titled=switch == "off")
     return figure(plot)
 
 
