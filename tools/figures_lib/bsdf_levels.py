@@ -71,8 +71,8 @@ def surface_file(folder, cells, alpha, angles):
 
 
 def write_sky(path, lamp, sky):
-    """A disk of radiance `lamp` beyond -Z, LAMP_ANGLE from the zenith, on a sky that grows lighter downwards, `sky` at the
-    horizon; equirectangular, as Radiance's RGBE."""
+    """A disk of radiance `lamp` beyond -Z, LAMP_ANGLE from the zenith, on a sky that grows lighter downwards, `sky` at
+    the horizon; equirectangular, as Radiance's RGBE."""
     height = 256
     v, u = (np.mgrid[:height, :2 * height] + 0.5) / [[[height]], [[2 * height]]]
     phi, theta = 2 * np.pi * (u - 0.5), np.pi * v

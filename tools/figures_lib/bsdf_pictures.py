@@ -75,8 +75,8 @@ def from_phong_to_ggx(quick):
     return Section("From Phong to GGX",
                    "Five models of gold whose highlights are about as wide: exponents and roughness are those of one "
                    "Gaussian of slopes, α = 0.25. Where light grazes (the lamp behind, on the right) Phong's lobe is "
-                   "as wide as elsewhere and wraps round the rim; a half vector's grows narrow sideways, like lights on a "
-                   "wet road. Facets add Fresnel's rise and masking; GGX has a narrow peak and a long tail. The last "
+                   "as wide as elsewhere and wraps round the rim; a half vector's grows narrow sideways, like lights on "
+                   "a wet road. Facets add Fresnel's rise and masking; GGX has a narrow peak and a long tail. The last "
                    "two are the presets for the lecture's pictures of Cook and Torrance.",
                    under_both_lights(LOBES + PAPER, quick))
 
