@@ -15,7 +15,7 @@ import numpy as np
 from . import vkpt
 
 SPP, REFERENCE_SEED = 64, 1000
-SEEDS, HELMET_SEEDS = 8, 32  # fireflies rule the helmet's means
+SEEDS, HELMET_SEEDS = 8, 16  # fireflies rule the means of the helmet
 HELMET_VIEW = ["--eye", "1.8,1.0,2.2", "--target", "0,0,0", "--fov", "45"]
 
 
