@@ -52,12 +52,15 @@ void putHeader(SceneHeader r) {
     put(r.textures); put(r.texels); put(r.lights); put(r.lightCdf); put(r.lightCount); put(r.rootNode);
     put(r.envTexels); put(r.envRows); put(r.envColumns); put(r.envLight); put(r.envWidth); put(r.envHeight);
     put(r.envCos); put(r.envSin); put(r.samplerTable); put(r.bsdfs); put(r.albedoTables);
+    put(r.filterTable);
 }
 
 void putParams(RenderParams r) {
     put(r.eye); put(r.projection); put(r.right); put(r.width); put(r.up); put(r.height); put(r.forward); put(r.seed);
     put(r.background); put(r.backgroundMode); put(r.spp); put(r.maxDepth); put(r.rrMode); put(r.rrDepth);
-    put(r.rrFixed);
+    put(r.rrFixed); put(r.lensRadius); put(r.focusDistance); put(r.clampIndirect); put(r.integrator); put(r.strategy);
+    put(r.hemisphere); put(r.beta); put(r.bsdfSamples); put(r.lightSamples); put(r.aoDistance); put(r.pixelFilter);
+    put(r.filterRadius);
 }
 
 void putBsdf(BsdfRecord r) {

@@ -89,12 +89,29 @@ VKPT_CONST uint kLightEnvironment = 5u;
 // RenderParams
 VKPT_CONST uint kProjectionPerspective = 0u;
 VKPT_CONST uint kProjectionOrthographic = 1u;
+VKPT_CONST uint kProjectionPanorama = 2u;  // equirectangular, the whole sphere
 VKPT_CONST uint kBackgroundEnvironment = 0u;
 VKPT_CONST uint kBackgroundTransparent = 1u;
 VKPT_CONST uint kBackgroundColor = 2u;
 VKPT_CONST uint kRouletteOff = 0u;
 VKPT_CONST uint kRouletteThroughput = 1u;
 VKPT_CONST uint kRouletteFixed = 2u;
+// Which estimator of a light's radiance counts. [estimator.md, Strategies]
+VKPT_CONST uint kStrategyMisPower = 0u;
+VKPT_CONST uint kStrategyMisBalance = 1u;
+VKPT_CONST uint kStrategyBsdf = 2u;   // lights are met by chance
+VKPT_CONST uint kStrategyLight = 3u;  // next event estimation alone
+// How directions are drawn from BSDFs that reflect only and have no delta lobe.
+VKPT_CONST uint kHemisphereBsdf = 0u;
+VKPT_CONST uint kHemisphereUniform = 1u;
+VKPT_CONST uint kHemisphereCosine = 2u;
+// Pixel filters. kFilterBox has one pixel's width and no table; see src/scene/pixel_filter.h.
+VKPT_CONST uint kFilterBox = 0u;
+VKPT_CONST uint kFilterTent = 1u;
+VKPT_CONST uint kFilterGaussian = 2u;
+VKPT_CONST uint kFilterBlackmanHarris = 3u;
+VKPT_CONST uint kFilterMitchell = 4u;
+VKPT_CONST uint kFilterSteps = 256u;  // intervals of a filter's table
 
 // Rays: part of the key of the stochastic alpha test.
 VKPT_CONST uint kRayPath = 0u;

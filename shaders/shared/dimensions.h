@@ -7,8 +7,10 @@ namespace vkpt {
 #endif
 
 // The lower a dimension of Sobol' or Halton, the better it goes with the others: none is left out, what matters most
-// comes first. A lens would take 2 and 3, and bounces begin at 4.
+// comes first.
 VKPT_CONST uint kDimFilter = 0u;  // 2D: position in the pixel
+VKPT_CONST uint kDimLens = 2u;    // 2D: position on the lens, where the camera has one: then bounces begin at
+VKPT_CONST uint kDimBounceBehindLens = 4u;
 
 // Bounce b (0 at the first surface): kDimBounce + b * kDimBounceStride + one of the following.
 VKPT_CONST uint kDimBounce = 2u;

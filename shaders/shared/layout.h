@@ -87,7 +87,7 @@ struct MaterialRecord {
 struct BsdfRecord {
     vec3 color;       // linear reflectance, tint or specular colour
     float alphaX;     // roughness, never squared; along the tangent
-    vec3 diffuse;     // linear reflectance of the diffuse part
+    vec3 diffuse;     // linear reflectance of the diffuse part; dielectric: absorption behind it, 1/m
     float alphaY;     // along the bitangent
     vec3 eta;         // index of refraction; of conductors its real part, a channel each
     float exponentX;
@@ -153,16 +153,23 @@ struct SceneHeader {
     uint samplerTable;     // of the sampler in use: see shaders/samplers/
     uint bsdfs;            // BsdfRecord a material
     uint albedoTables;     // kAlbedoTableWords a table; the first is glTF's
-    uint headerPad0;
+    uint filterTable;      // FilterCell an interval, kFilterSteps; kNone: the box of one pixel
+};
+
+// An interval of one axis of a pixel filter: all intervals are drawn alike.
+struct FilterCell {
+    float begin, end;  // pixels from the middle of the pixel
+    float weight;      // of what is drawn from it; below 0 where the filter is
+    float pad;
 };
 
 // What one render does; the same for all its batches.
 struct RenderParams {
-    vec3 eye;            // perspective: centre of projection; orthographic: centre of the window
+    vec3 eye;            // centre of projection; orthographic: centre of the window
     uint projection;     // kProjection*
-    vec3 right;          // from the middle to the right edge of the window, at distance 1 (or in metres)
+    vec3 right;          // from the middle to the right edge of the window, at distance 1 (or in metres); panorama: unit
     uint width;          // of the full frame
-    vec3 up;             // from the middle to the upper edge
+    vec3 up;             // from the middle to the upper edge; panorama: unit
     uint height;
     vec3 forward;        // unit
     uint seed;
@@ -173,6 +180,17 @@ struct RenderParams {
     uint rrMode;         // kRoulette*
     uint rrDepth;        // Russian roulette begins after this many scatterings
     float rrFixed;       // survival probability of kRouletteFixed
+    float lensRadius;    // metres; 0: a pinhole
+    float focusDistance; // metres along `forward`, where what a lens sees is sharp
+    float clampIndirect; // nits that a contribution of two and more scatterings may have; 0: no limit
+    uint integrator;     // an id of registry.def
+    uint strategy;       // kStrategy*
+    uint hemisphere;     // kHemisphere*
+    float beta;          // exponent of the heuristic that weights light and BSDF samples; kStrategyMisPower only
+    uint bsdfSamples, lightSamples;  // of integrator direct, at the first surface
+    float aoDistance;    // metres within which integrator ao looks for surfaces; infinite: everywhere
+    uint pixelFilter;    // kFilter*
+    float filterRadius;  // pixels
     uint paramsPad0, paramsPad1, paramsPad2;
 };
 
@@ -186,8 +204,8 @@ struct FilmSums {
 static_assert(sizeof(TriangleRecord) == 64 && sizeof(VertexRecord) == 16 && sizeof(VertexExtra) == 16);
 static_assert(sizeof(WideNode) == 80 && sizeof(InstanceRecord) == 112);
 static_assert(sizeof(MaterialRecord) == 64 && sizeof(TextureRecord) == 48 && sizeof(LightRecord) == 64);
-static_assert(sizeof(BsdfRecord) == 96 && sizeof(AlbedoCell) == 16);
-static_assert(sizeof(SceneHeader) == 96 && sizeof(RenderParams) == 112 && sizeof(FilmSums) == 48);
+static_assert(sizeof(FilterCell) == 16 && sizeof(BsdfRecord) == 96 && sizeof(AlbedoCell) == 16);
+static_assert(sizeof(SceneHeader) == 96 && sizeof(RenderParams) == 160 && sizeof(FilmSums) == 48);
 }  // namespace vkpt
 #endif
 #endif

@@ -3,13 +3,23 @@
 #include <fmt/format.h>
 
 #include "base/version.h"
+#include "cli/options.h"
 #include "scene/content_hash.h"
+#include "scene/pixel_filter.h"
 
 namespace vkpt {
 namespace {
 
 /// Shortest text that reads back as the same floats; -0 is 0.
 std::string text(const glm::vec3& v) { return fmt::format("{},{},{}", v.x + 0.0F, v.y + 0.0F, v.z + 0.0F); }
+
+/// The name of an id in a table with fields `name` and `id`.
+template <class Table>
+std::string nameOf(const Table& table, std::uint32_t id) {
+    for (const auto& entry : table)
+        if (static_cast<std::uint32_t>(entry.id) == id) return std::string(entry.name);
+    return {};
+}
 
 std::string backgroundText(const RenderParams& params) {
     switch (params.backgroundMode) {
@@ -53,7 +63,7 @@ Json renderSettings(const PreparedScene& prepared) {
             {"seed", p.seed},
             {"sampler", samplerName(prepared.options.sampler.id)},
             {"scramble", scrambleName(prepared.options.sampler.scramble)},
-            {"projection", p.projection == kProjectionOrthographic ? "orthographic" : "perspective"},
+            {"projection", nameOf(kProjections, p.projection)},
             {"eye", text(p.eye)},
             {"forward", text(p.forward)},
             {"right", text(p.right)},
@@ -66,6 +76,17 @@ Json renderSettings(const PreparedScene& prepared) {
             {"maxDepth", p.maxDepth},
             {"rr", rouletteText(p)},
             {"rrDepth", p.rrDepth},
+            {"integrator", nameOf(kIntegrators, p.integrator)},
+            {"strategy", nameOf(kStrategies, p.strategy)},
+            {"beta", fmt::format("{}", p.beta)},
+            {"hemisphere", nameOf(kHemispheres, p.hemisphere)},
+            {"bsdfSamples", p.bsdfSamples},
+            {"lightSamples", p.lightSamples},
+            {"aoDistance", fmt::format("{}", p.aoDistance)},
+            {"clampIndirect", fmt::format("{}", p.clampIndirect)},
+            {"filter", fmt::format("{}:{}", nameOf(kFilters, p.pixelFilter), p.filterRadius)},
+            {"aperture", fmt::format("{}", p.lensRadius)},
+            {"focus", fmt::format("{}", p.focusDistance)},
             {"aov", aovsText(prepared.options.aovs)},
             {"geometry", hashes.geometry},
             {"materials", hashes.materials},

@@ -6,15 +6,10 @@
 #include <array>
 
 #include "cli/command.h"
+#include "scene/pixel_filter.h"
 
 namespace vkpt {
 namespace {
-
-template <class Id>
-struct Named {
-    Id id;
-    std::string_view name;
-};
 
 constexpr auto kBackends = std::to_array<Named<Backend>>({{Backend::Vulkan, "vulkan"}, {Backend::Cpu, "cpu"}});
 constexpr auto kFetches = std::to_array<Named<WavefrontConfig::Fetch>>({{WavefrontConfig::Fetch::Auto, "auto"},
@@ -35,6 +30,18 @@ void addCameraOptions(CLI::App& app, SceneOptions& options) {
                        ->group(group);
     addParsed(app, "--fov", options.fov, numberWithin(0.01F, 179.0F), "DEG", "vertical field of view in degrees",
               "an angle from 0.01 to 179 degrees")
+        ->group(group);
+    addParsed(app, "--projection", options.projection, nameIn(kProjections), namesOf(kProjections),
+              "of the camera; a panorama is the whole sphere, equirectangular (default: perspective, or the file's)")
+        ->group(group);
+    addParsed(app, "--ymag", options.ymag, numberWithin(1e-6F), "M",
+              "half the height of an orthographic view in metres (default: what --fov shows at the target)", kPositive)
+        ->group(group);
+    addParsed(app, "--aperture", options.aperture, numberWithin(0.0F), "M",
+              "radius of the lens in metres (default: 0, a pinhole)", "a number, 0 or above")
+        ->group(group);
+    addParsed(app, "--focus", options.focus, numberWithin(1e-6F), "M",
+              "metres from the lens at which all is sharp (default: to the target)", kPositive)
         ->group(group);
     eye->excludes(camera)->excludes(orbit);
     orbit->excludes(camera);
@@ -82,6 +89,39 @@ std::string scrambleHelp() {
         if (sampler.scrambleCount > 0)
             text += fmt::format("{}{} {}", text.empty() ? "" : ", ", sampler.name, scramblesOf(sampler));
     return text;
+}
+
+void addIntegratorOptions(CLI::App& app, SamplingOptions& options) {
+    const char* group = "Light transport";
+    addParsed(app, "--integrator", options.integrator, nameIn(kIntegrators), namesOf(kIntegrators),
+              "what is computed (default: path)")
+        ->group(group);
+    addParsed(app, "--strategy", options.strategy, nameIn(kStrategies), namesOf(kStrategies),
+              "how light is found: both ways, weighted, or one of them alone (default: mis-power)")
+        ->group(group);
+    addParsed(app, "--beta", options.beta, numberWithin(0.0F, 64.0F), "X",
+              "exponent of mis-power (default: 2)", "a number from 0 to 64")
+        ->group(group);
+    addParsed(app, "--hemisphere", options.hemisphere, nameIn(kHemispheres), namesOf(kHemispheres),
+              "how directions are drawn where nothing is a mirror or glass (default: bsdf; of ao: cosine)")
+        ->group(group);
+    addParsed(app, "--bsdf-samples", options.bsdfSamples, numberWithin(0U, 1024U), "N",
+              "of --integrator direct, a camera ray (default: 1)", "a whole number from 0 to 1024")
+        ->group(group);
+    addParsed(app, "--light-samples", options.lightSamples, numberWithin(0U, 1024U), "N",
+              "of --integrator direct, a camera ray (default: 1)", "a whole number from 0 to 1024")
+        ->group(group);
+    addParsed(app, "--ao-distance", options.aoDistance, numberWithin(1e-6F), "M",
+              "how far --integrator ao looks, in metres (default: everywhere)", kPositive)
+        ->group(group);
+    addParsed(app, "--clamp-indirect", options.clampIndirect, numberWithin(0.0F), "X",
+              "most nits of a contribution that was scattered twice; takes light away (default: 0, off)",
+              "a number, 0 or above")
+        ->group(group);
+    addParsed(app, "--filter", options.filter, parseFilter, "NAME[:RADIUS]",
+              fmt::format("pixel filter, with its radius in pixels: {} (default: box)", namesOf(kFilters)),
+              fmt::format("one of {}, with a radius above 0 to 16", namesOf(kFilters)))
+        ->group(group);
 }
 
 }  // namespace
@@ -137,6 +177,7 @@ void addSamplingOptions(CLI::App& app, SamplingOptions& options) {
     addParsed(app, "--rr-depth", options.rrDepth, numberWithin(0U), "N", "scatterings before it begins (default: 3)",
               kWhole)
         ->group(group);
+    addIntegratorOptions(app, options);
 }
 
 void addAovs(CLI::App& app, SamplingOptions& options) {

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
+#include <array>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +17,13 @@
 
 namespace vkpt {
 
+/// Of the camera; else the file's own.
+enum class Projection : std::uint32_t {
+    Perspective = kProjectionPerspective,
+    Orthographic = kProjectionOrthographic,
+    Panorama = kProjectionPanorama,
+};
+
 /// Which scene, seen how, lit by what.
 struct SceneOptions {
     std::filesystem::path file;
@@ -25,6 +34,10 @@ struct SceneOptions {
     std::string camera;  ///< name or index; empty: the file's first, else framed
     std::optional<glm::vec3> eye, target, orbit;
     std::optional<float> fov;  ///< degrees, vertical
+    std::optional<Projection> projection;
+    std::optional<float> ymag;   ///< metres, half the height of an orthographic view
+    float aperture = 0;          ///< metres, radius of the lens
+    std::optional<float> focus;  ///< metres; else to the target
     EnvironmentChoice environment;
     float envRotation = 0;  ///< degrees about +y
     float envStrength = 1;
@@ -33,6 +46,35 @@ struct SceneOptions {
     std::string allMaterials;            ///< SPEC; empty: none
     bool multiscatter = true;            ///< compensate the interreflection between facets
 };
+
+enum class Strategy : std::uint32_t {
+    MisPower = kStrategyMisPower,
+    MisBalance = kStrategyMisBalance,
+    Bsdf = kStrategyBsdf,
+    Light = kStrategyLight,
+};
+
+enum class Hemisphere : std::uint32_t {
+    Bsdf = kHemisphereBsdf,
+    Uniform = kHemisphereUniform,
+    Cosine = kHemisphereCosine,
+};
+
+template <class Id>
+struct Named {
+    Id id;
+    std::string_view name;
+};
+
+inline constexpr auto kProjections = std::to_array<Named<Projection>>({{Projection::Perspective, "perspective"},
+                                                                       {Projection::Orthographic, "orthographic"},
+                                                                       {Projection::Panorama, "panorama"}});
+inline constexpr auto kStrategies = std::to_array<Named<Strategy>>({{Strategy::MisPower, "mis-power"},
+                                                                    {Strategy::MisBalance, "mis-balance"},
+                                                                    {Strategy::Bsdf, "bsdf"},
+                                                                    {Strategy::Light, "light"}});
+inline constexpr auto kHemispheres = std::to_array<Named<Hemisphere>>(
+    {{Hemisphere::Bsdf, "bsdf"}, {Hemisphere::Uniform, "uniform"}, {Hemisphere::Cosine, "cosine"}});
 
 /// How it is sampled.
 struct SamplingOptions {
@@ -43,6 +85,14 @@ struct SamplingOptions {
     std::uint32_t maxDepth = 8;
     Roulette roulette;
     std::uint32_t rrDepth = 3;
+    IntegratorId integrator = IntegratorId::Path;
+    Strategy strategy = Strategy::MisPower;
+    float beta = 2;
+    Hemisphere hemisphere = Hemisphere::Bsdf;
+    std::uint32_t bsdfSamples = 1, lightSamples = 1;
+    float aoDistance = std::numeric_limits<float>::infinity();  ///< metres
+    float clampIndirect = 0;                                    ///< nits; 0: off
+    PixelFilter filter;
     AovSet aovs;
 };
 

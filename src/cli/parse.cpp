@@ -1,5 +1,9 @@
 #include "cli/parse.h"
 
+#include <algorithm>
+
+#include "scene/pixel_filter.h"
+
 namespace vkpt {
 namespace {
 
@@ -71,6 +75,17 @@ std::optional<Roulette> parseRoulette(std::string_view text) {
     const auto survival = parseNumber<float>(halves->right);
     if (!survival || *survival <= 0 || *survival > 1) return std::nullopt;
     return Roulette{kRouletteFixed, *survival};
+}
+
+std::optional<PixelFilter> parseFilter(std::string_view text) {
+    constexpr float kMost = 16;
+    const std::string_view name = text.substr(0, text.find(':'));
+    const auto* info = std::ranges::find(kFilters, name, &FilterInfo::name);
+    if (info == kFilters.end()) return std::nullopt;
+    if (name == text) return PixelFilter{info->id, info->radius};
+    const auto radius = parseNumber<float>(text.substr(name.size() + 1));
+    if (!radius || *radius <= 0 || *radius > kMost) return std::nullopt;
+    return PixelFilter{info->id, *radius};
 }
 
 std::optional<Background> parseBackground(std::string_view text) {

@@ -61,6 +61,13 @@ struct Roulette {
 };
 [[nodiscard]] std::optional<Roulette> parseRoulette(std::string_view text);
 
+/// "NAME" or "NAME:RADIUS" of kFilters, 0 < RADIUS <= 16.
+struct PixelFilter {
+    std::uint32_t id = kFilterBox;
+    float radius = 0.5F;
+};
+[[nodiscard]] std::optional<PixelFilter> parseFilter(std::string_view text);
+
 /// "env", "transparent" or "R,G,B".
 struct Background {
     std::uint32_t mode = kBackgroundEnvironment;

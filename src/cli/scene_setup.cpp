@@ -48,6 +48,23 @@ std::uint32_t roundedSpp(const SamplingOptions& sampling) {
     return spp;
 }
 
+void setTransport(RenderParams& params, const SamplingOptions& sampling) {
+    params.integrator = static_cast<std::uint32_t>(sampling.integrator);
+    params.strategy = static_cast<std::uint32_t>(sampling.strategy);
+    params.hemisphere = static_cast<std::uint32_t>(sampling.hemisphere);
+    params.beta = sampling.beta;
+    params.bsdfSamples = sampling.bsdfSamples;
+    params.lightSamples = sampling.lightSamples;
+    params.aoDistance = sampling.aoDistance;
+    params.clampIndirect = sampling.clampIndirect;
+    params.pixelFilter = sampling.filter.id;
+    params.filterRadius = sampling.filter.radius;
+    if (sampling.integrator != IntegratorId::Direct) return;
+    params.maxDepth = std::min(params.maxDepth, 1U);
+    if (std::max(params.bsdfSamples, params.lightSamples) == 0)
+        throw usageError("--bsdf-samples", "and --light-samples are both 0: nothing would be computed");
+}
+
 void setSampling(RenderOptions& options, const SamplingOptions& sampling) {
     options.sampler = chooseSampler(sampling.sampler, sampling.scramble);
     options.aovs = sampling.aovs;
@@ -65,6 +82,7 @@ void setSampling(RenderOptions& options, const SamplingOptions& sampling) {
     params.rrMode = sampling.roulette.mode;
     params.rrFixed = sampling.roulette.survival;
     params.rrDepth = sampling.rrDepth;
+    setTransport(params, sampling);
 }
 
 void useFileCamera(RenderParams& params, const Scene& scene, Camera camera, std::optional<float> fov) {
@@ -91,6 +109,20 @@ glm::uvec2 frameSize(const SceneOptions& options, const Camera* camera) {
     return {std::clamp(std::round(options.rows * aspect), 1.0F, kMost), options.rows};
 }
 
+/// Projection and lens of the command line. `distance`: from the eye to the target, along the view.
+void setLens(RenderParams& params, const SceneOptions& options, float distance) {
+    const float reach = distance > 0 ? distance : 1;
+    if (options.projection) setProjection(params, static_cast<std::uint32_t>(*options.projection), reach);
+    if (options.ymag) {
+        if (params.projection != kProjectionOrthographic) throw usageError("--ymag", "needs --projection orthographic");
+        setHalfHeight(params, *options.ymag);
+    }
+    if (options.aperture > 0 && params.projection == kProjectionPanorama)
+        throw usageError("--aperture", "a panorama has no lens");
+    params.lensRadius = options.aperture;
+    params.focusDistance = options.focus.value_or(reach);
+}
+
 void setCamera(RenderParams& params, const Scene& scene, const SceneArrays& arrays, const SceneOptions& options) {
     const Camera* camera = fileCamera(scene, options);
     const glm::uvec2 size = frameSize(options, camera);
@@ -106,6 +138,7 @@ void setCamera(RenderParams& params, const Scene& scene, const SceneArrays& arra
         orbit(params, options.orbit->x, options.orbit->y, options.orbit->z, target, fov);
     else
         frameScene(params, arrays, fov);
+    setLens(params, options, glm::dot(target - params.eye, params.forward));
 }
 
 EnvironmentMap makeEnvironment(const EnvironmentChoice& choice) {

@@ -23,6 +23,11 @@ glm::vec3 meanReflectance(const BsdfSpec& spec) {
     return mean;
 }
 
+/// Beer-Lambert, 1/m.
+glm::vec3 absorption(const BsdfSpec& spec) {
+    return -glm::log(spec.attenuationColor) / spec.attenuationDistance + 0.0F;  // no -0
+}
+
 }  // namespace
 
 bool isAnisotropic(const BsdfSpec& spec) {
@@ -35,7 +40,7 @@ bool isAnisotropic(const BsdfSpec& spec) {
 BsdfRecord bsdfRecord(const BsdfSpec& spec) {
     BsdfRecord record{};
     record.color = spec.color;
-    record.diffuse = spec.diffuse;
+    record.diffuse = spec.model == BsdfId::Dielectric ? absorption(spec) : spec.diffuse;
     record.alphaX = spec.alpha.x;
     record.alphaY = spec.alpha.y;
     record.eta = spec.eta;

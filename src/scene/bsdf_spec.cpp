@@ -163,6 +163,10 @@ const std::array kKeys = {
         [](BsdfSpec& s, const Json& v) { s.specular = number("specular", v, 0, 1); }},
     Key{"weight", models(BsdfId::CookTorrance),
         [](BsdfSpec& s, const Json& v) { s.weight = number("weight", v, 0, 1); }},
+    Key{"attenuation_color", models(BsdfId::Dielectric),
+        [](BsdfSpec& s, const Json& v) { s.attenuationColor = three("attenuation_color", v, 1e-6, 1); }},
+    Key{"attenuation_distance", models(BsdfId::Dielectric),
+        [](BsdfSpec& s, const Json& v) { s.attenuationDistance = number("attenuation_distance", v, 1e-6, 1e6); }},
 };
 
 bool reads(const Key& key, BsdfId model) { return (key.models & models(model)) != 0; }
@@ -295,6 +299,8 @@ Json bsdfToJson(const BsdfSpec& spec) {
     put("metallic", spec.metallic);
     put("specular", spec.specular);
     put("weight", spec.weight);
+    put("attenuation_color", colorJson(spec.attenuationColor));
+    put("attenuation_distance", spec.attenuationDistance);
     return json;
 }
 

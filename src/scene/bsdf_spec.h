@@ -37,6 +37,8 @@ struct BsdfSpec {
     float sigma = 0;         ///< oren_nayar: radians; eon: roughness
     float specular = 1;      ///< cook_torrance: share of the specular part
     float weight = 1;        ///< cook_torrance: share of the distribution with alpha.x
+    glm::vec3 attenuationColor{1};  ///< dielectric: what is left of white light after attenuationDistance inside
+    float attenuationDistance = 1;  ///< metres
     float metallic = 0;      ///< gltf, with color and sigma (perceptual roughness)
 
     bool operator==(const BsdfSpec&) const = default;

@@ -140,6 +140,28 @@ void fromCamera(RenderParams& params, const Scene& scene, const Camera& camera) 
     if (camera.orthographic) params.projection = kProjectionOrthographic;
 }
 
+void setProjection(RenderParams& params, std::uint32_t projection, float distance) {
+    if (projection == params.projection) return;
+    if (params.projection == kProjectionOrthographic) {
+        params.right /= distance;
+        params.up /= distance;
+    }
+    if (projection == kProjectionOrthographic) {
+        params.right *= distance;
+        params.up *= distance;
+    } else if (projection == kProjectionPanorama) {
+        params.right = glm::normalize(params.right);
+        params.up = glm::normalize(params.up);
+    }
+    params.projection = projection;
+}
+
+void setHalfHeight(RenderParams& params, float ymag) {
+    const float scale = ymag / glm::length(params.up);
+    params.up *= scale;
+    params.right *= scale;
+}
+
 const Camera& findCamera(const Scene& scene, std::string_view nameOrIndex) {
     for (const Camera& camera : scene.cameras) {
         if (!nameOrIndex.empty() && camera.name == nameOrIndex) return camera;

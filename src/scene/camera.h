@@ -30,6 +30,13 @@ void frameScene(RenderParams& params, const SceneArrays& arrays, float fov = kDe
 /// Throws FileError where its node has no usable orientation.
 void fromCamera(RenderParams& params, const Scene& scene, const Camera& camera);
 
+/// Turns the view into another projection (kProjection*). An orthographic one shows what the perspective one shows at
+/// `distance` metres, and the reverse; a panorama looks forward in its middle. Requires that the view is no panorama.
+void setProjection(RenderParams& params, std::uint32_t projection, float distance);
+
+/// Scales the window of an orthographic view to this half height, metres.
+void setHalfHeight(RenderParams& params, float ymag);
+
 /// By name, else by index in the order of the file. Throws FileError, naming the cameras there are.
 [[nodiscard]] const Camera& findCamera(const Scene& scene, std::string_view nameOrIndex);
 

@@ -71,6 +71,7 @@ void addBsdfs(const Scene& scene, const std::vector<MaterialTraits>& traits, boo
         if (model == BsdfId::Gltf) continue;
         arrays.bsdfs.resize(scene.materials.size(), bsdfRecord({}));
         arrays.bsdfs[i] = bsdfRecord(*material.bsdf);
+        arrays.features.media |= model == BsdfId::Dielectric && arrays.bsdfs[i].diffuse != glm::vec3(0);
         tables.add(model, hasImage(scene, material.metallicRoughnessTexture), arrays.bsdfs[i]);
     }
     if (models != 0) arrays.features.bsdfModels = models;

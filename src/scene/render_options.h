@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 
 #include "layout.h"
@@ -12,9 +13,20 @@
 
 namespace vkpt {
 
+/// Path tracing with MIS through a pinhole and a box filter; size, camera and sampling are still to be set.
+[[nodiscard]] constexpr RenderParams defaultParams() {
+    RenderParams params{};
+    params.focusDistance = 1;
+    params.beta = 2;
+    params.bsdfSamples = params.lightSamples = 1;
+    params.aoDistance = std::numeric_limits<float>::infinity();
+    params.filterRadius = 0.5F;
+    return params;
+}
+
 /// What is rendered. RenderParams carries everything both sides' estimators read.
 struct RenderOptions {
-    RenderParams params{};
+    RenderParams params = defaultParams();
     SamplerChoice sampler;
     std::uint32_t sampleBegin = 0, sampleEnd = 64;  ///< range of sample indices; params.spp is the whole N
     AovSet aovs;                                    ///< layers gathered beside the picture

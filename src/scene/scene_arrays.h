@@ -23,6 +23,7 @@ struct SceneFeatures {
     bool environment = false;
     bool unlit = false;
     std::uint32_t bsdfModels = 1;  ///< models (ids of registry.def) that some triangle has, a bit each; bit 0 is glTF's
+    bool media = false;            ///< some dielectric absorbs
     bool multiscatter = false;     ///< interreflection between facets is compensated; albedoTables is filled
 };
 

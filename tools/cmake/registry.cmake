@@ -1,5 +1,6 @@
-# Turns shaders/shared/registry.def into generated/registry.h (C++ enums and name tables of samplers and BSDF models),
-# generated/reference_samplers.inc (the reference's table) and generated/samplers.glsl (includes and switch).
+# Turns shaders/shared/registry.def into generated/registry.h (C++ enums and name tables of samplers, BSDF models and
+# integrators), generated/reference_samplers.inc (the reference's table), generated/samplers.glsl (includes and switch)
+# and generated/integrators.glsl (ids).
 set(VKPT_REGISTRY "${CMAKE_SOURCE_DIR}/shaders/shared/registry.def")
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${VKPT_REGISTRY}")
 
@@ -36,6 +37,17 @@ function(vkpt_add_bsdf kind id name stem group help)
   set(bsdf_table "${bsdf_table}    {BsdfId::${Stem}, \"${name}\", BsdfGroup::${Group}, \"${help}\"},\n" PARENT_SCOPE)
 endfunction()
 
+# One line "integrator | id | name | stem | help".
+set(integrator_enum "")
+set(integrator_table "")
+set(integrator_constants "")
+function(vkpt_add_integrator kind id name stem help)
+  vkpt_capitalise("${stem}" Stem)
+  set(integrator_enum "${integrator_enum}    ${Stem} = ${id},\n" PARENT_SCOPE)
+  set(integrator_table "${integrator_table}    {IntegratorId::${Stem}, \"${name}\", \"${help}\"},\n" PARENT_SCOPE)
+  set(integrator_constants "${integrator_constants}const uint kIntegrator${Stem} = ${id}u;\n" PARENT_SCOPE)
+endfunction()
+
 file(STRINGS "${VKPT_REGISTRY}" lines REGEX "^[^#].*\\|")
 set(enum "")
 set(table "")
@@ -48,6 +60,9 @@ foreach(line IN LISTS lines)
   list(GET fields 0 kind)
   if(kind STREQUAL "bsdf")
     vkpt_add_bsdf(${fields})
+    continue()
+  elseif(kind STREQUAL "integrator")
+    vkpt_add_integrator(${fields})
     continue()
   elseif(NOT kind STREQUAL "sampler")
     message(FATAL_ERROR "${VKPT_REGISTRY}: unknown kind '${kind}'")
@@ -139,6 +154,20 @@ struct BsdfModelInfo {
     std::string_view help;
 };
 
+/// RenderParams.integrator holds the id.
+enum class IntegratorId : std::uint32_t {
+@integrator_enum@};
+
+struct IntegratorInfo {
+    IntegratorId id;
+    std::string_view name;
+    std::string_view help;
+};
+
+/// In the order of their ids.
+inline constexpr auto kIntegrators = std::to_array<IntegratorInfo>({
+@integrator_table@});
+
 /// In the order of their ids.
 inline constexpr auto kBsdfModels = std::to_array<BsdfModelInfo>({
 @bsdf_table@});
@@ -169,4 +198,7 @@ uvec2 samplerPair(SampleId id, uint pair) {
     return uvec2(0u);
 }
 ")
+file(CONFIGURE OUTPUT "${VKPT_GENERATED}/integrators.glsl" @ONLY CONTENT
+"// Generated from shaders/shared/registry.def: values of kIntegrator and RenderParams.integrator.
+@integrator_constants@")
 add_custom_target(vkpt_registry)
