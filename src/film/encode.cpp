@@ -3,6 +3,7 @@
 #include <stb_image_write.h>
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <bit>
 #include <cassert>
 
@@ -28,7 +29,8 @@ std::vector<float> colorChannels(const Image& image) {
 }  // namespace
 
 Bytes encodeHdr(const Image& linear) {
-    const std::vector<float> rgb = colorChannels(linear);
+    std::vector<float> rgb = colorChannels(linear);
+    for (float& value : rgb) value = std::max(value, 0.0F);  // the format has no sign
     Bytes bytes;
     const auto sink = [](void* context, void* data, int size) {
         append(*static_cast<Bytes*>(context), data, static_cast<std::size_t>(size));

@@ -47,7 +47,7 @@ struct ExrPart {
 /// A single part of linear values, 3 or 4 channels (premultiplied alpha), 32-bit float.
 [[nodiscard]] Bytes encodeExr(const Image& linear, const ImageMetadata& metadata);
 
-/// Radiance RGBE of the first three channels.
+/// Radiance RGBE of the first three channels; what is below 0 becomes 0.
 [[nodiscard]] Bytes encodeHdr(const Image& linear);
 
 /// Portable float map of the first three channels: little endian, bottom row first.

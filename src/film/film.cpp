@@ -76,9 +76,9 @@ Image filmToImage(const Film& film) {
     if (samples == 0) return image;
     float* pixel = image.pixels.data();
     for (const FilmSums& sums : film.sums) {
-        pixel[0] = exactRatio(sumOf(sums.red), samples, kFilmFractionBits);
-        pixel[1] = exactRatio(sumOf(sums.green), samples, kFilmFractionBits);
-        pixel[2] = exactRatio(sumOf(sums.blue), samples, kFilmFractionBits);
+        pixel[0] = exactRatio(signedSumOf(sums.red), samples, kFilmFractionBits);
+        pixel[1] = exactRatio(signedSumOf(sums.green), samples, kFilmFractionBits);
+        pixel[2] = exactRatio(signedSumOf(sums.blue), samples, kFilmFractionBits);
         pixel[3] = exactRatio(sums.red.w, samples, 0);
         pixel += 4;
     }

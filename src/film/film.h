@@ -10,7 +10,7 @@
 
 namespace vkpt {
 
-/// Sums over the samples of `ranges` of every pixel; row 0 at the top.
+/// Sums over the samples of `ranges` of every pixel, in two's complement; row 0 at the top.
 /// Integer sums are associative: films of disjoint ranges of one render add up bit for bit in any order.
 struct Film {
     std::uint32_t width = 0, height = 0;
@@ -18,7 +18,7 @@ struct Film {
     std::vector<FilmSums> sums;         ///< width x height
     FilmLayout layout;                  ///< of `layers`
     std::vector<uvec4> layers;          ///< width x height x layout.words(), pixel by pixel
-    std::uint64_t refused = 0;          ///< contributions that were NaN, infinite, negative or out of range
+    std::uint64_t refused = 0;          ///< contributions that were NaN, infinite or out of range
     std::uint64_t refusedInLayers = 0;  ///< values of layers that were NaN, infinite or out of range
 
     Film() = default;
@@ -34,8 +34,8 @@ struct Film {
 /// Throws Error: SizeMismatch where the frames differ, Usage where samples overlap or layers differ.
 void addFilm(Film& into, const Film& other);
 
-/// Mean radiance and alpha: RGBA, linear, premultiplied. Each value is the exact quotient of integers, rounded
-/// once; a film without samples is black and transparent.
+/// Mean radiance, below 0 where a pixel filter makes it so, and alpha: RGBA, linear, premultiplied. Each value is the
+/// exact quotient of integers, rounded once; a film without samples is black and transparent.
 [[nodiscard]] Image filmToImage(const Film& film);
 
 }  // namespace vkpt

@@ -11,9 +11,7 @@ using boost::multiprecision::uint256_t;
 
 float meanOf(const uvec4& word, std::uint32_t paths) {
     if (paths == 0) return 0;
-    const SignedSum sum = signedSumOf(word);
-    const float mean = exactRatio(sum.magnitude, paths, kFilmFractionBits);
-    return sum.negative ? -mean : mean;
+    return exactRatio(signedSumOf(word), paths, kFilmFractionBits);
 }
 
 uint256_t wide(U128 value) {

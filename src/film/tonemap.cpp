@@ -94,7 +94,7 @@ Image displayImage(const Image& linear, const Display& display) {
             out[3] = std::clamp(in[3], 0.0F, 1.0F);
             if (in[3] > 0) color /= in[3];
         }
-        const glm::vec3 shown = toneMap(display.toneMap, color * scale);
+        const glm::vec3 shown = toneMap(display.toneMap, glm::max(color * scale, 0.0F));
         for (int c = 0; c < 3; ++c) out[c] = srgbEncode(shown[c]);
     }
     return image;

@@ -36,7 +36,7 @@ struct Display {
     bool transparent = false;  ///< keep alpha, straight; else three channels, as seen over black
 };
 
-/// Linear premultiplied RGBA to sRGB-encoded values in [0, 1], 3 or 4 channels.
+/// Linear premultiplied RGBA, what is below 0 as 0, to sRGB-encoded values in [0, 1], 3 or 4 channels.
 [[nodiscard]] Image displayImage(const Image& linear, const Display& display);
 
 }  // namespace vkpt

@@ -37,9 +37,9 @@ static_assert(kFilmLimitBits == 40 && kLayerLimitBits == 31);
 
 /// The magnitude as above, in two's complement of 96 bits: addFixedPoint adds it like any other.
 [[nodiscard]] inline std::array<std::uint32_t, 3> toSignedFixedPoint(float value) {
-    const double magnitude = std::floor(std::abs(double{value}) * 0x1p48 + 0.5);
-    const auto whole = static_cast<U128>(magnitude);
-    return wordsOf(value < 0 ? -whole : whole);
+    const auto words = toFixedPoint(std::abs(value));
+    if (!(value < 0)) return words;
+    return wordsOf(-(U128{words[2]} << 64U | U128{words[1]} << 32U | U128{words[0]}));
 }
 
 /// Adds three words to the low three of `sum`.
@@ -63,19 +63,19 @@ inline void addSums(FilmSums& pixel, const FilmSums& path) {
     add(pixel.blue, path.blue);
 }
 
-/// Adds one contribution in nits, rounded once. Refuses it whole, returning false, where a channel is NaN, negative
-/// or not below kContributionLimit.
+/// Adds one contribution in nits, rounded once. Refuses it whole, returning false, where the magnitude of a channel is
+/// NaN or not below kContributionLimit.
 [[nodiscard]] inline bool addContribution(FilmSums& sums, const vec3& contribution) {
     for (int i = 0; i < 3; ++i) {
-        if (!(contribution[i] >= 0 && contribution[i] < kContributionLimit)) return false;
+        if (!(std::abs(contribution[i]) < kContributionLimit)) return false;
     }
-    addFixedPoint(sums.red, toFixedPoint(contribution.x));
-    addFixedPoint(sums.green, toFixedPoint(contribution.y));
-    addFixedPoint(sums.blue, toFixedPoint(contribution.z));
+    addFixedPoint(sums.red, toSignedFixedPoint(contribution.x));
+    addFixedPoint(sums.green, toSignedFixedPoint(contribution.y));
+    addFixedPoint(sums.blue, toSignedFixedPoint(contribution.z));
     return true;
 }
 
-/// Luminance of a path, 24 bits of fraction, rounded; nothing where a channel is not below 2^32 nits.
+/// Luminance of a path, 24 bits of fraction, rounded; nothing where a channel is below 0 or not below 2^32 nits.
 [[nodiscard]] inline std::optional<std::uint64_t> pathLuminance(const FilmSums& path) {
     constexpr std::uint32_t kCut = kFilmFractionBits - kLuminanceFractionBits;
     const auto cut = [](const uvec4& sum) { return (U128{sum.z} << 64U | U128{sum.y} << 32U | U128{sum.x}) >> kCut; };

@@ -65,6 +65,22 @@ bool hasDensity(const Bsdf<Real>& b, const Vec3<Real>& wo) {
 }
 
 template <class Real>
+bool needsItsOwnDraws(const Bsdf<Real>& b) {
+    switch (b.model) {
+        case BsdfId::Mirror:
+        case BsdfId::Dielectric:
+            return true;
+        case BsdfId::Gltf:
+        case BsdfId::Conductor:
+        case BsdfId::Plastic:
+        case BsdfId::TorranceSparrow:
+            return b.isDelta();
+        default:
+            return false;
+    }
+}
+
+template <class Real>
 Vec3<Real> evalBsdf(const Bsdf<Real>& b, const Vec3<Real>& wo, const Vec3<Real>& wi) {
     if (wo.z <= 0) return Vec3<Real>(0);
     switch (b.model) {
@@ -119,6 +135,7 @@ BsdfSample<Real> sampleBsdf(const Bsdf<Real>& b, const Vec3<Real>& wo, Real uLob
 #define VKPT_INSTANTIATE(Real)                                                                                  \
     template Bsdf<Real> makeBsdf(BsdfId, const BsdfRecord&, const Vec3<Real>&, Real, bool, const SceneArrays&); \
     template bool hasDensity(const Bsdf<Real>&, const Vec3<Real>&);                                             \
+    template bool needsItsOwnDraws(const Bsdf<Real>&);                                                          \
     template Vec3<Real> evalBsdf(const Bsdf<Real>&, const Vec3<Real>&, const Vec3<Real>&);                      \
     template Real pdfBsdf(const Bsdf<Real>&, const Vec3<Real>&, const Vec3<Real>&);                             \
     template BsdfSample<Real> sampleBsdf(const Bsdf<Real>&, const Vec3<Real>&, Real, const Vec2<Real>&);

@@ -50,6 +50,10 @@ template <class Real>
 template <class Real>
 [[nodiscard]] bool hasDensity(const Bsdf<Real>& b, const Vec3<Real>& wo);
 
+/// Whether it has a delta lobe or transmits: then directions drawn over the hemisphere would miss some of it.
+template <class Real>
+[[nodiscard]] bool needsItsOwnDraws(const Bsdf<Real>& b);
+
 /// f(wo, wi) of the lobes that are no deltas. Radiance: what crosses a boundary is divided by eta^2.
 template <class Real>
 [[nodiscard]] Vec3<Real> evalBsdf(const Bsdf<Real>& b, const Vec3<Real>& wo, const Vec3<Real>& wi);

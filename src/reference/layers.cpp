@@ -4,6 +4,7 @@
 
 #include "reference/accumulate.h"
 #include "reference/geometry.h"
+#include "reference/looks.h"
 #include "reference/material.h"
 
 namespace vkpt::reference {
@@ -18,7 +19,7 @@ void LayerTally::addFirstHit(const Ray& ray, const std::optional<Hit>& hit) {
     const glm::vec3 &p = point.position, &n = point.ns;
     addValue(Layer::Albedo, {base.r, base.g, base.b});
     addValue(Layer::Normal, {n.x, n.y, n.z});
-    addValue(Layer::Depth, {glm::dot(p - params_.eye, params_.forward)});
+    addValue(Layer::Depth, {depthOf(params_, p)});
     addValue(Layer::Position, {p.x, p.y, p.z});
     addValue(Layer::Uv, {attributes.coords.uv0.x, attributes.coords.uv0.y});
 }

@@ -37,7 +37,8 @@ std::optional<LightSample> Lights::sampleTriangle(const LightRecord& light, cons
     const float distance2 = glm::dot(toLight, toLight);
     if (distance2 <= 0) return std::nullopt;
     LightSample sample;
-    sample.wi = toLight / std::sqrt(distance2);
+    sample.distance = std::sqrt(distance2);
+    sample.wi = toLight / sample.distance;
     const glm::vec3 normal = lightNormal(light);
     const float cosine = -glm::dot(normal, sample.wi);
     if (cosine == 0 || (cosine < 0 && light.kind == kLightTriangle)) return std::nullopt;
@@ -66,7 +67,8 @@ std::optional<LightSample> Lights::samplePunctual(const LightRecord& light, cons
     const glm::vec3 toLight = light.a - from;
     const float distance2 = glm::dot(toLight, toLight);
     if (distance2 <= 0) return std::nullopt;
-    sample.wi = toLight / std::sqrt(distance2);
+    sample.distance = std::sqrt(distance2);
+    sample.wi = toLight / sample.distance;
     sample.radiance = light.color / distance2 * rangeWindow(distance2, light.c.z);
     if (light.kind == kLightSpot) sample.radiance *= spotFalloff(-glm::dot(light.b, sample.wi), light.c.x, light.c.y);
     sample.end = light.a;

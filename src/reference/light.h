@@ -1,5 +1,6 @@
 // Lights as the estimator sees them: one sample towards any of them, and the densities of those samples.
 #pragma once
+#include <limits>
 #include <optional>
 
 #include "reference/lights/environment.h"
@@ -15,7 +16,8 @@ struct LightSample {
     float pdf = 0;          ///< per solid angle, choice of the light included; of punctual lights the choice alone
     bool punctual = false;  ///< no BSDF sample can meet it: MIS weight 1
     bool infinite = false;  ///< nothing ends the shadow ray
-    glm::vec3 end{0};       ///< where the shadow ray ends, unless infinite
+    float distance = std::numeric_limits<float>::infinity();  ///< metres
+    glm::vec3 end{0};                                         ///< where the shadow ray ends, unless infinite
 };
 
 class Lights {

@@ -97,7 +97,8 @@ std::size_t childrenMet(const WideNode& node, const BoxRay& ray, float tMax, std
 /// Visits the items under `root` that the ray may meet, near to far. visit(item) returns true to end the search;
 /// tMax is read anew before every step, so a visit that lowers it prunes what follows.
 template <class Visit>
-bool visitItems(const SceneArrays& scene, std::uint32_t root, const BoxRay& ray, const float& tMax, Visit&& visit) {
+bool visitItems(const SceneArrays& scene, std::uint32_t root, const BoxRay& ray, const float& tMax, SearchCost& cost,
+                Visit&& visit) {
     std::array<Child, kStackSize> stack;
     std::size_t size = 0;
     stack[size++] = {0.0F, root, 0};
@@ -109,6 +110,7 @@ bool visitItems(const SceneArrays& scene, std::uint32_t root, const BoxRay& ray,
             if (visit(child.first + i)) return true;
         }
         if (child.count > 0) continue;
+        ++cost.nodes;
         const std::size_t count = childrenMet(scene.nodes[child.first], ray, tMax, met);
         if (size + count > kStackSize) throw std::logic_error("the BVH is deeper than the traversal's stack");
         for (std::size_t i = 0; i < count; ++i) stack[size++] = met[i];
@@ -133,7 +135,7 @@ public:
         const float size = std::max({std::abs(ray.origin.x), std::abs(ray.origin.y), std::abs(ray.origin.z)});
         // Instances move the ray's origin, which rounds by its size.
         const BoxRay boxRay(ray, reachOf(scene_.nodes[scene_.rootNode], ray.origin) + size);
-        visitItems(scene_, scene_.rootNode, boxRay, best_.t, [&](std::uint32_t instance) {
+        visitItems(scene_, scene_.rootNode, boxRay, best_.t, cost_, [&](std::uint32_t instance) {
             const InstanceRecord& record = scene_.instances[instance];
             const Ray local{transformPoint(record.objectFromWorld, ray.origin),
                             transformVector(record.objectFromWorld, ray.direction)};
@@ -142,17 +144,19 @@ public:
     }
 
     [[nodiscard]] const Hit& best() const { return best_; }
+    [[nodiscard]] const SearchCost& cost() const { return cost_; }
 
 private:
     bool searchMesh(const Ray& ray, std::uint32_t root, std::uint32_t instance) {
         const ShearedRay sheared(ray);
         const BoxRay boxRay(ray, reachOf(scene_.nodes[root], ray.origin));
-        return visitItems(scene_, root, boxRay, best_.t,
+        return visitItems(scene_, root, boxRay, best_.t, cost_,
                           [&](std::uint32_t slot) { return testTriangle(sheared, slot, instance) && any_; });
     }
 
     bool testTriangle(const ShearedRay& ray, std::uint32_t slot, std::uint32_t instance) {
         const TriangleRecord& triangle = scene_.triangles[slot];
+        ++cost_.triangles;
         const auto hit = ray.intersect(triangle.v0, triangle.v1, triangle.v2);
         if (!hit) return false;
         if ((triangle.flags & kTriangleSingleSided) != 0 && !hit->front) return false;
@@ -173,15 +177,20 @@ private:
 
     const SceneArrays& scene_;
     Hit best_;
+    SearchCost cost_;
     std::uint32_t alphaKey_;
     bool any_;
 };
 
 }  // namespace
 
-std::optional<Hit> closestHit(const SceneArrays& scene, const Ray& ray, std::uint32_t alphaKey) {
+std::optional<Hit> closestHit(const SceneArrays& scene, const Ray& ray, std::uint32_t alphaKey, SearchCost* cost) {
     Query query(scene, alphaKey, std::numeric_limits<float>::infinity(), false);
     query.run(ray);
+    if (cost != nullptr) {
+        cost->nodes += query.cost().nodes;
+        cost->triangles += query.cost().triangles;
+    }
     if (query.best().triangle == kNone) return std::nullopt;
     return query.best();
 }

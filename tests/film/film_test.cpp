@@ -23,9 +23,19 @@ TEST(FilmToImage, FractionBitsAreFortyEight) {
     EXPECT_EQ(redOf({0, 1U << 16U, 0, 0}, 1), 1.0F);
     EXPECT_EQ(redOf({0, 0, 1, 0}, 1), 65536.0F);
     EXPECT_EQ(redOf({1, 0, 0, 0}, 1), std::ldexp(1.0F, -48));
-    EXPECT_EQ(redOf({0, 0, 0x80000000U, 0}, 1), std::ldexp(1.0F, 47));
+    EXPECT_EQ(redOf({0, 0, 0x40000000U, 0}, 1), std::ldexp(1.0F, 46));
     EXPECT_EQ(redOf({0, 0, 0, 0}, 7), 0.0F);
     EXPECT_EQ(redOf({1, 0, 0, 0}, 0xffffffffU), static_cast<float>(std::ldexp(1.0, -48) / 4294967295.0));
+}
+
+TEST(FilmToImage, SumsAreInTwosComplement) {
+    EXPECT_EQ(redOf({0xffffffffU, 0xffffffffU, 0xffffffffU, 0}, 1), -std::ldexp(1.0F, -48));
+    EXPECT_EQ(redOf({0, 0xfffe8000U, 0xffffffffU, 0}, 3), -0.5F);
+    EXPECT_EQ(redOf({0, 0, 0x80000000U, 0}, 1), -std::ldexp(1.0F, 47));
+    Film film = onePixel({0, 0xfffe8000U, 0xffffffffU, 0}, 1), other = onePixel({0, 0x20000U, 0, 0}, 1);
+    other.ranges = {{1, 2}};
+    addFilm(film, other);
+    EXPECT_EQ(filmToImage(film).pixels[0], 0.25F);
 }
 
 TEST(FilmToImage, QuotientIsRoundedOnce) {

@@ -95,6 +95,17 @@ TEST(DisplayImage, ExposureIsInStops) {
     EXPECT_FLOAT_EQ(shown.pixels[0], srgbEncode(0.4F));
 }
 
+// Where a pixel filter has lobes below 0 a picture may, too: a screen shows black.
+TEST(DisplayImage, WhatIsBelowZeroIsBlackUnderEveryToneMap) {
+    Image image(1, 1, 4);
+    image.pixels = {-0.5F, -1e-3F, -40, 1};
+    for (const ToneMapInfo& map : kToneMaps) {
+        Image black(1, 1, 4);
+        black.pixels[3] = 1;
+        EXPECT_EQ(displayImage(image, {map.id, 0, false}).pixels, displayImage(black, {map.id, 0, false}).pixels);
+    }
+}
+
 TEST(DisplayImage, TransparentPixelsHaveTheirOwnColourAndStraightAlpha) {
     Image linear(2, 1, 4);
     linear.pixels = {0.1F, 0.05F, 0, 0.25F, 0, 0, 0, 0};

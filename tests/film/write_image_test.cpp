@@ -145,6 +145,17 @@ TEST_F(WriteImage, HdrRoundTripWithinRgbePrecision) {
     }
 }
 
+TEST_F(WriteImage, HdrHasNoSignExrAndPfmKeepIt) {
+    Image image(8, 1, 4);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = i % 4 == 1 ? -0.25F : 0.5F;
+    const Bytes hdr = encodeHdr(image);
+    Image cut = image;
+    for (float& value : cut.pixels) value = std::max(value, 0.0F);
+    EXPECT_EQ(hdr, encodeHdr(cut));
+    EXPECT_NE(encodePfm(image), encodePfm(cut));
+    EXPECT_NE(encodeExr(image, {}), encodeExr(cut, {}));
+}
+
 TEST_F(WriteImage, PfmIsLittleEndianAndBottomUp) {
     const Image image = gradient();
     writeImage(file("a.PFM"), image, kPlain, {});

@@ -38,9 +38,24 @@ TEST(AddContribution, CarriesThroughAllWordsAndLeavesAlphaAlone) {
     EXPECT_EQ(sums.blue, uvec4(0, 0x20000U, 0, 0));
 }
 
+// A filter's lobes below 0 take away what they add, to the bit.
+TEST(AddContribution, TakesAwayWhatIsBelowZero) {
+    const float values[] = {0x1p-49F, 0x1p-48F, 0.7F, 1e-9F, 3e7F, 0x1.fffffep39F};
+    for (const float value : values) {
+        FilmSums sums{};
+        sums.blue = {5, 6, 7, 42};
+        ASSERT_TRUE(addContribution(sums, {-value, 0, value}));
+        EXPECT_NE(sums.red, uvec4(0));
+        EXPECT_FALSE(pathLuminance(sums)) << value;
+        ASSERT_TRUE(addContribution(sums, {value, 0, -value}));
+        EXPECT_EQ(sums.red, uvec4(0)) << value;
+        EXPECT_EQ(sums.blue, uvec4(5, 6, 7, 42)) << value;
+    }
+}
+
 TEST(AddContribution, RefusesWholeWhatIsNotARadiance) {
-    const float bad[] = {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), -1e-20F,
-                         0x1p40F, -std::numeric_limits<float>::infinity()};
+    const float bad[] = {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 0x1p40F,
+                         -0x1p40F, -std::numeric_limits<float>::infinity()};
     for (const float value : bad) {
         for (int channel = 0; channel < 3; ++channel) {
             FilmSums sums{};

@@ -5,6 +5,8 @@
 namespace vkpt {
 namespace {
 
+constexpr U128 kModulus = U128{1} << 96U;
+
 glm::vec4 floats(const uvec4& word) { return std::bit_cast<glm::vec4>(word); }
 
 U128 wide(const uvec4& word) { return U128{word.x} | U128{word.y} << 32U | U128{word.z} << 64U; }
@@ -42,11 +44,20 @@ PathSums sumsOf(const StageSnapshot& device, std::uint32_t path) {
             wide(device.word(StateArray::Blue, path))};
 }
 
+PathSums changeOf(const PathSums& before, const PathSums& now) {
+    PathSums change;
+    for (std::size_t i = 0; i < change.size(); ++i) change[i] = (now[i] - before[i]) % kModulus;
+    return change;
+}
+
 glm::dvec3 addedTo(const PathSums& before, const PathSums& now) {
     glm::dvec3 added;
     for (int c = 0; c < 3; ++c) {
         const auto i = static_cast<std::size_t>(c);
-        added[c] = static_cast<double>(now[i] - before[i]) * 0x1p-48;
+        const U128 sum = changeOf(before, now)[i];
+        const bool negative = sum >= kModulus / 2;
+        const auto magnitude = static_cast<double>(negative ? kModulus - sum : sum) * 0x1p-48;
+        added[c] = negative ? -magnitude : magnitude;
     }
     return added;
 }

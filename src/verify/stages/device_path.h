@@ -9,7 +9,7 @@ namespace vkpt {
 
 __extension__ using U128 = unsigned __int128;
 
-/// Exact sums of one path: three channels of 96 bits.
+/// Exact sums of one path: three channels of 96 bits, in two's complement.
 using PathSums = std::array<U128, 3>;
 
 /// One batch of the device, and how to read it.
@@ -41,7 +41,9 @@ private:
 [[nodiscard]] inline std::uint32_t alphaOf(const StageSnapshot& device, std::uint32_t path) {
     return device.word(StateArray::Red, path).w;
 }
-/// now - before, in nits; both are of one path, and nothing was taken away.
+/// now - before, modulo 2^96.
+[[nodiscard]] PathSums changeOf(const PathSums& before, const PathSums& now);
+/// now - before, in nits; both are of one path.
 [[nodiscard]] glm::dvec3 addedTo(const PathSums& before, const PathSums& now);
 
 /// One light sample that the shade kernel queued.

@@ -129,7 +129,8 @@ void StageWalk::intersect(const StageSnapshot& now) {
             hit = {h.t, h.triangle, h.barycentrics.y, h.barycentrics.z, h.instance == kNone ? 0 : h.instance};
             if (!f.holds("slots of triangles", hit.slot < scene_.triangles.size(), "beyond the last")) return;
         }
-        compareHit(scene_, state.ray, reference::alphaKey(state.sample.id, bounce, kRayPath), hit, tolerance, f, hits_);
+        compareHit(scene_, state.ray, reference::alphaKey(state.sample.id, state.keyOfSegment(), kRayPath), hit,
+                   tolerance, f, hits_);
     };
     const auto rays = before_.queue(bounce, Queue::Ray), missed = now.queue(bounce, Queue::Miss);
     std::vector<std::uint32_t> sorted(missed.begin(), missed.end());
@@ -227,9 +228,7 @@ void StageWalk::shadow(const StageSnapshot& now) {
         const PathSums whole = {U128{sums.red.x} | U128{sums.red.y} << 32U | U128{sums.red.z} << 64U,
                                 U128{sums.green.x} | U128{sums.green.y} << 32U | U128{sums.green.z} << 64U,
                                 U128{sums.blue.x} | U128{sums.blue.y} << 32U | U128{sums.blue.z} << 64U};
-        PathSums change = sumsOf(now, path);
-        const PathSums was = sumsOf(before_, path);
-        for (std::size_t c = 0; c < 3; ++c) change[c] -= was[c];
+        const PathSums change = changeOf(sumsOf(before_, path), sumsOf(now, path));
         const bool arrived = change == whole;
         if (!f.holds("sums", arrived || change == PathSums{}, "neither unchanged nor with the sample added")) continue;
         if (whole == PathSums{}) continue;  // too faint for the film: whether it arrived cannot be seen
