@@ -1,6 +1,7 @@
 // Specialization constants of every kernel: what a render does not need is not in its kernels. Counts bound loops, which
 // then unroll: where invocations run in lockstep on a CPU, a loop saves and loads all that is live at each round.
 // Changed the order? Update specializationOf (src/wavefront/kernels.cpp).
+#include "integrators.glsl"
 layout(constant_id = 0) const uint kSampler = 0u;
 layout(constant_id = 1) const uint kFetchTexel = 0u;       // read the scene through a texel buffer
 layout(constant_id = 2) const uint kHasInstances = 0u;
@@ -36,5 +37,14 @@ layout(constant_id = 28) const uint kSetSamples = 0u;
 layout(constant_id = 29) const uint kBsdfModels = 1u;
 layout(constant_id = 30) const uint kShadeGroups = 1u;
 layout(constant_id = 31) const uint kMultiscatter = 0u;    // interreflection between facets is compensated
+// Selectors of RenderParams.
+layout(constant_id = 32) const uint kIntegrator = kIntegratorPath;
+layout(constant_id = 33) const uint kStrategy = kStrategyMisPower;
+layout(constant_id = 34) const uint kBeta = 2u;            // of the heuristic where it is 1 or 2; 0: RenderParams.beta
+layout(constant_id = 35) const uint kHemisphere = kHemisphereBsdf;
+layout(constant_id = 36) const uint kProjection = kProjectionPerspective;
+layout(constant_id = 37) const uint kHasFilter = 0u;       // the pixel filter has a table
+layout(constant_id = 38) const uint kHasLens = 0u;
+layout(constant_id = 39) const uint kHasMedia = 0u;        // some dielectric absorbs
 const bool kHasSurfaceLayers = kAlbedoWord != kNone || kNormalWord != kNone || kDepthWord != kNone ||
                                kPositionWord != kNone || kUvWord != kNone || kIdsWord != kNone;

@@ -2,6 +2,12 @@
 
 bool transmits(SurfaceBsdf b) { return b.model == kDielectricModel; }
 
+// Whether it only reflects, and not as a mirror.
+bool hasPlainLobesOnly(SurfaceBsdf b) {
+    bool ofFacets = b.model == kConductorModel || b.model == kPlasticModel || b.model == kTorranceSparrowModel;
+    return b.model != kMirrorModel && !transmits(b) && !(ofFacets && b.facets.delta);
+}
+
 // f of the lobes that are no deltas, and their joint pdf.
 void evaluateBsdf(SurfaceBsdf b, vec3 wo, vec3 wi, out vec3 f, out float pdf) {
     BsdfValue v = kNoValue;

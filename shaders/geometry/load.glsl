@@ -48,6 +48,14 @@ BsdfRecord loadBsdf(uint index) {
                       uintBitsToFloat(w5.z), uintBitsToFloat(w5.w));
 }
 
+// Of a dielectric: what the medium behind it absorbs, 1/m.
+vec3 loadAbsorption(uint material) { return sceneWordFloat(scene.bsdfs + material * 6u + 1u).xyz; }
+
+FilterCell loadFilterCell(uint index) {
+    vec4 w = sceneWordFloat(scene.filterTable + index);
+    return FilterCell(w.x, w.y, w.z, w.w);
+}
+
 TextureRecord loadTexture(uint index) {
     uint base = scene.textures + index * 3u;
     uvec4 w0 = sceneWord(base);

@@ -15,6 +15,8 @@ struct AlphaKey {
 
 const uint kStackSize = 32u;
 
+uvec2 searchCost = uvec2(0u);   // integrator cost: nodes opened, triangles tested
+
 // Confirms a hit on a triangle with alpha.
 bool alphaAccepts(AlphaKey key, uint flags, uvec3 vertices, uint instance, uint primitive, vec2 b12);
 
@@ -26,6 +28,7 @@ struct Traversal {
 
 // Tests triangle `slot`; returns whether it became the hit.
 bool testTriangle(inout Traversal s, uint slot, uint instance, AlphaKey key) {
+    if (kIntegrator == kIntegratorCost) ++searchCost.y;
     uint base = scene.triangles + slot * 4u;
     uvec4 w0 = sceneWord(base), w1 = sceneWord(base + 1u), w2 = sceneWord(base + 2u);
     vec4 r = intersectTriangle(s.sheared, uintBitsToFloat(w0.xyz), uintBitsToFloat(w1.xyz), uintBitsToFloat(w2.xyz));
@@ -70,6 +73,7 @@ Hit traverse(vec3 origin, vec3 d, float tMax, AlphaKey key, bool anyHit) {
             nodes.y &= ~(1u << bit);
             if (nodes.y > 0x00ffffffu) stack[depth++] = nodes;
             WideNode n = loadNode(node);
+            if (kIntegrator == kIntegratorCost) ++searchCost.x;
             uint hits = intersectNode(s.slab, n, s.hit.t);
             nodes = uvec2(n.childBase, (hits & 0xff000000u) | (n.exponents >> 24u));
             items = uvec2(n.itemBase, hits & 0x00ffffffu);

@@ -1,11 +1,8 @@
 // The exact film: a contribution is rounded once to fixed point and added to its path's integer sums. [DESIGN]
 #include "math/fixed_point.glsl"
 
-// NaN, Inf, below 0 (-0 is 0) and 2^40 or more.
-bool isRefused(vec3 c) {
-    uvec3 bits = mix(floatBitsToUint(c), uvec3(0u), equal(floatBitsToUint(c), uvec3(0x80000000u)));
-    return any(greaterThanEqual(bits, uvec3((127u + kFilmLimitBits) << 23u)));
-}
+bool isRefused(vec3 c) { return isBeyond(c, kFilmLimitBits); }
+
 
 // What a camera ray met, for the counts of FilmSums: a surface is counted under alpha too.
 const uint kMetNothing = 0u, kMetBackground = 1u, kMetSurface = 2u;
@@ -22,7 +19,7 @@ void addContribution(uint path, vec3 c, bool first, uint met) {
         green = loadState(kStateGreen, path);
         blue = loadState(kStateBlue, path);
     }
-    storeState(kStateRed, path, uvec4(addFixed(red.xyz, toFixedPoint(c.r)), red.w + (met == kMetNothing ? 0u : 1u)));
-    storeState(kStateGreen, path, uvec4(addFixed(green.xyz, toFixedPoint(c.g)), green.w + (met == kMetSurface ? 1u : 0u)));
-    storeState(kStateBlue, path, uvec4(addFixed(blue.xyz, toFixedPoint(c.b)), 0u));
+    storeState(kStateRed, path, uvec4(addFixed(red.xyz, toSignedFixedPoint(c.r)), red.w + (met == kMetNothing ? 0u : 1u)));
+    storeState(kStateGreen, path, uvec4(addFixed(green.xyz, toSignedFixedPoint(c.g)), green.w + (met == kMetSurface ? 1u : 0u)));
+    storeState(kStateBlue, path, uvec4(addFixed(blue.xyz, toSignedFixedPoint(c.b)), 0u));
 }

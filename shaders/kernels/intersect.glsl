@@ -16,6 +16,12 @@ uint hitQueue(uint slot) {
     return group == kGroupGltf ? kQueueHit : (group == kGroupMicrofacet ? kQueueHitMicrofacet : kQueueHitClassic);
 }
 
+// Integrator cost adds the throughput of its camera rays.
+void countSearch(uint path) {
+    vec3 throughput = loadStateFloat(kStateThroughput, path).xyz;
+    storeStateFloat(kStateThroughput, path, vec4(throughput * vec3(searchCost, 0.0), 0.0));
+}
+
 // Every invocation calls it: `wanted` with the queue of its path.
 void appendTo(uint queue, uint wanted, uint path) {
     uint slot = appendSlot(batch.bounce, queue, wanted == queue);
@@ -31,6 +37,7 @@ void main() {
         vec4 direction = loadStateFloat(kStateDirection, path);
         Hit hit = traverse(origin, direction.xyz, uintBitsToFloat(0x7f800000u), alphaKeyOf(path, kRayPath), false);
         bool met = hit.slot != kNone;
+        if (kIntegrator == kIntegratorCost) countSearch(path);
         queue = met ? hitQueue(hit.slot) : kQueueMiss;
         if (met || kHasSurfaceLayers)
             storeState(kStateHit, path, uvec4(floatBitsToUint(hit.t), hit.slot, floatBitsToUint(vec2(hit.b1, hit.b2))));

@@ -4,6 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "kernels/preamble.glsl"
 #include "kernels/film_layers.glsl"
+#include "kernels/camera_depth.glsl"
 #include "math/fixed_point.glsl"
 #include "material/texture.glsl"
 #include "geometry/surface.glsl"
@@ -27,7 +28,7 @@ void addValue(inout uvec3 sums[3], vec3 value) {
 void addSurface(inout SurfaceSums sums, ShadingPoint p) {
     if (kAlbedoWord != kNone) addValue(sums.albedo, surfaceBaseColor(p.material, p.uv, p.maps.baseColor).rgb);
     if (kNormalWord != kNone) addValue(sums.normal, p.frame.n);
-    if (kDepthWord != kNone) addValue(sums.depth, vec3(dot(p.position - render.eye, render.forward), 0.0, 0.0));
+    if (kDepthWord != kNone) addValue(sums.depth, vec3(cameraDepth(p.position), 0.0, 0.0));
     if (kPositionWord != kNone) addValue(sums.position, p.position);
     if (kUvWord != kNone) addValue(sums.uv, vec3(p.uv.uv0, 0.0));
 }

@@ -4,7 +4,9 @@
 #include "kernels/preamble.glsl"
 #include "kernels/contribution.glsl"
 #include "lights/environment.glsl"
-#include "math/mis.glsl"
+#include "kernels/clamp.glsl"
+#include "kernels/weights.glsl"
+#include "kernels/media.glsl"
 
 // What a camera ray sees behind everything.
 vec3 backgroundSeen(vec3 environment) {
@@ -12,24 +14,38 @@ vec3 backgroundSeen(vec3 environment) {
     return render.backgroundMode == kBackgroundTransparent ? vec3(0.0) : environment;
 }
 
+// Its environment with the weight of BSDF samples.
+vec3 environmentMet(uint path, vec4 environment) {
+    vec4 throughput = loadStateFloat(kStateThroughput, path);
+    vec3 radiance = throughput.xyz * environment.rgb;
+    radiance *= transmittance(floatBitsToUint(throughput.w), uintBitsToFloat(0x7f800000u));
+    if (scene.envLight == kNone) return radiance;
+    float pmf = sceneWordFloat(scene.lights + scene.envLight * 4u + 1u).w;
+    return radiance * weightOfBsdfSample(loadStateFloat(kStateOrigin, path).w, pmf * environment.w);
+}
+
+// What integrators that look at surfaces say of a camera ray that meets none.
+void addNoSurface(uint path) {
+    vec3 seen = kIntegrator == kIntegratorCost ? loadStateFloat(kStateThroughput, path).xyz : vec3(0.0);
+    addContribution(path, seen, true, kMetNothing);
+}
+
 void main() {
     uint i = gl_GlobalInvocationID.x;
     if (i >= queueSize(batch.bounce, kQueueMiss)) return;
     uint path = counters[queueArray(batch.bounce, kQueueMiss) + i];
-    vec3 direction = loadStateFloat(kStateDirection, path).xyz;
-    vec4 environment = vec4(0.0);
-    float pmf = 0.0;
-    if (kHasEnvironment != 0u) {
-        environment = environmentLookup(direction);
-        if (scene.envLight != kNone) pmf = sceneWordFloat(scene.lights + scene.envLight * 4u + 1u).w;
-    }
-    if (batch.bounce == 0u) {
-        uint met = render.backgroundMode == kBackgroundTransparent ? kMetNothing : kMetBackground;
-        addContribution(path, backgroundSeen(environment.rgb), true, met);
+    if (kIntegrator != kIntegratorPath && kIntegrator != kIntegratorDirect) {
+        addNoSurface(path);
         return;
     }
-    float pdfBsdf = loadStateFloat(kStateOrigin, path).w;
-    float weight = pdfBsdf < 0.0 ? 1.0 : powerHeuristic(pdfBsdf, pmf * environment.w);
-    vec3 throughput = loadStateFloat(kStateThroughput, path).xyz;
-    addContribution(path, throughput * environment.rgb * weight, false, kMetNothing);
+    vec4 environment = vec4(0.0);
+    if (kHasEnvironment != 0u) environment = environmentLookup(loadStateFloat(kStateDirection, path).xyz);
+    if (batch.bounce == 0u) {
+        if (batch.round != 0u) return;   // of integrator direct: seen in the first
+        uint met = render.backgroundMode == kBackgroundTransparent ? kMetNothing : kMetBackground;
+        vec3 seen = loadStateFloat(kStateThroughput, path).xyz * backgroundSeen(environment.rgb);
+        addContribution(path, seen, true, met);
+        return;
+    }
+    addContribution(path, clampIndirect(environmentMet(path, environment), batch.bounce), false, kMetNothing);
 }

@@ -4,13 +4,18 @@
 #include "lights/environment.glsl"
 #include "lights/punctual.glsl"
 #include "lights/sample.glsl"
-#include "math/mis.glsl"
+#include "kernels/clamp.glsl"
+#include "kernels/weights.glsl"
+#include "kernels/media.glsl"
+#include "kernels/scatter.glsl"
+#include "kernels/shadow_item.glsl"
 
 struct PathVertex {
     uint path;
     SampleId id;
     vec3 direction, wo, throughput;   // direction: wo in world space
     float pdfBsdf, t;
+    uint medium;                      // that the path came through
     ShadingPoint point;
     ShadingFrame frame;
     VertexBsdf bsdf;
@@ -24,12 +29,13 @@ PathVertex loadPathVertex(uint path) {
     // In a loop, since drivers inline every call with all samplers before they strip those that
     // are not in use; and first, since loops of samplers save and load all that is live.
     [[unroll]] for (uint i = 0u; i < 3u; ++i) v.numbers[i] = samplerPair(v.id, (bounceDimension(0u) >> 1u) + i);
-    vec4 direction = loadStateFloat(kStateDirection, path);
+    vec4 direction = loadStateFloat(kStateDirection, path), throughput = loadStateFloat(kStateThroughput, path);
     uvec4 hit = loadState(kStateHit, path);
     v.direction = -direction.xyz;
-    v.throughput = loadStateFloat(kStateThroughput, path).xyz;
+    v.medium = floatBitsToUint(throughput.w);
     v.pdfBsdf = loadStateFloat(kStateOrigin, path).w;
     v.t = uintBitsToFloat(hit.x);
+    v.throughput = throughput.xyz * transmittance(v.medium, v.t);
     v.point = makeShadingPoint(hit.y, floatBitsToUint(direction.w), uintBitsToFloat(hit.zw), v.direction);
     v.frame = makeVertexFrame(v.point);
     v.wo = toLocal(v.frame, v.direction);
@@ -39,6 +45,12 @@ PathVertex loadPathVertex(uint path) {
 
 bool isUnlit(PathVertex v) { return kHasUnlit != 0u && (v.point.material.flags & kMaterialUnlit) != 0u; }
 
+// The medium into which wi goes.
+uint mediumOf(PathVertex v, vec3 wi) {
+    if (kHasMedia == 0u || wi.z >= 0.0) return v.medium;
+    return v.point.front ? v.point.materialIndex + 1u : 0u;
+}
+
 // Step 3: radiance emitted towards the path, with its MIS weight.
 vec3 emittedRadiance(PathVertex v) {
     MaterialRecord m = v.point.material;
@@ -46,57 +58,84 @@ vec3 emittedRadiance(PathVertex v) {
     if (maxComponent(m.emissive) <= 0.0) return vec3(0.0);
     if (!v.point.front && (m.flags & kMaterialDoubleSided) == 0u) return vec3(0.0);
     vec3 emission = m.emissive * v.point.maps.emissive.rgb;
-    if (kHasTriangleLights == 0u || v.point.light == kNone || v.pdfBsdf < 0.0) return emission;
+    if (kHasTriangleLights == 0u || v.point.light == kNone) return emission;
     uint light = scene.lights + v.point.light * 4u;
     float pmf = sceneWordFloat(light + 1u).w, area = sceneWordFloat(light + 2u).w;
     float pdfLight = pmf * v.t * v.t / (area * abs(dot(v.direction, v.point.nGeometric)));
-    return emission * powerHeuristic(v.pdfBsdf, pdfLight);
+    return emission * weightOfBsdfSample(v.pdfBsdf, pdfLight);
 }
-
-struct ShadowItem {
-    vec3 origin, target, radiance;
-    float tMax;
-};
-
-// Origin of a ray to local direction wi.
-vec3 leaveSurface(ShadingPoint p, vec3 wi) { return p.position + p.ng * (wi.z < 0.0 ? -p.offset : p.offset); }
 
 // Whether both normals see wi on the same side.
 bool isOnOneSide(ShadingPoint p, vec3 wi, vec3 direction) { return wi.z * dot(direction, p.ng) > 0.0; }
 
-// Step 5: next event estimation. radiance 0: no shadow ray.
-ShadowItem sampleDirect(PathVertex v) {
-    ShadowItem item = ShadowItem(vec3(0.0), vec3(0.0), vec3(0.0), 0.0);
-    if (scene.lightCount == 0u) return item;
-    LightSample light = sampleLight(v.point.position, v.numbers[kDimLight / 2u]);
-    vec3 wi = toLocal(v.frame, light.wi), f;
+// A light sample, and what the BSDF makes of it.
+struct DirectSample {
+    LightSample light;
+    vec3 wi, f;   // f 0: nothing arrives
     float pdf;
-    evaluateBsdf(v.bsdf, v.wo, wi, f, pdf);
-    if (!isOnOneSide(v.point, wi, light.wi) || maxComponent(light.radiance) <= 0.0 || light.pdf <= 0.0) return item;
-    float weight = light.delta ? 1.0 : powerHeuristic(light.pdf, pdf);
-    item.radiance = v.throughput * f * light.radiance * (abs(wi.z) * weight / light.pdf);
-    item.origin = leaveSurface(v.point, wi);
-    item.target = light.infinite ? light.target : light.target - item.origin;
-    item.tMax = light.infinite ? uintBitsToFloat(0x7f800000u) : 1.0;
+};
+
+DirectSample sampleDirect(PathVertex v) {
+    DirectSample s;
+    s.light = sampleLight(v.point.position, v.numbers[kDimLight / 2u]);
+    s.wi = toLocal(v.frame, s.light.wi);
+    evaluateVertex(v.bsdf, v.wo, s.wi, s.f, s.pdf);
+    bool arrives = isOnOneSide(v.point, s.wi, s.light.wi) && maxComponent(s.light.radiance) > 0.0 && s.light.pdf > 0.0;
+    if (!arrives) s.f = vec3(0.0);
+    return s;
+}
+
+// Step 5: next event estimation.
+ShadowItem makeShadowItem(PathVertex v, DirectSample s) {
+    ShadowItem item;
+    float weight = s.light.delta ? 1.0 : weightOfLightSample(s.light.pdf, s.pdf);
+    vec3 radiance = v.throughput * s.f * s.light.radiance * (abs(s.wi.z) * weight / (s.light.pdf * lightSamples()));
+    radiance *= transmittance(mediumOf(v, s.wi), s.light.distance);
+    item.radiance = maxComponent(s.f) > 0.0 ? clampIndirect(radiance, batch.bounce + 1u) : vec3(0.0);
+    item.origin = leaveSurface(v.point, s.wi);
+    item.target = s.light.infinite ? s.light.target : s.light.target - item.origin;
+    item.tMax = s.light.infinite ? uintBitsToFloat(0x7f800000u) : 1.0;
     return item;
 }
 
+// What integrator light-probability shows.
+float lightProbability(DirectSample s) {
+    if (maxComponent(s.f) <= 0.0) return 0.0;
+    return s.light.delta ? 1.0 : s.light.pdf / (s.light.pdf + s.pdf);
+}
+
 // Steps 6 and 7: the next segment; false where the path ends.
-bool samplePathDirection(PathVertex v, out vec3 origin, out vec3 direction, out vec3 throughput, out float pdf) {
+bool samplePathDirection(PathVertex v, out vec3 origin, out vec3 direction, out vec4 throughput, out float pdf) {
     vec2 choices = toUnit(v.numbers[kDimLobe / 2u]);  // of a lobe; kDimRoulette: to survive
-    BsdfSample s = sampleBsdf(v.bsdf, v.wo, choices.x, toUnit(v.numbers[kDimBsdf / 2u]));
+    BsdfSample s = sampleVertex(v.bsdf, v.wo, choices.x, toUnit(v.numbers[kDimBsdf / 2u]));
     direction = toWorld(v.frame, s.wi);
     origin = leaveSurface(v.point, s.wi);
-    throughput = v.throughput * s.weight;
+    throughput = vec4(v.throughput * s.weight / bsdfSamples(), uintBitsToFloat(mediumOf(v, s.wi)));
     pdf = s.pdf;
-    float brightest = maxComponent(throughput);
+    float brightest = maxMagnitude(throughput.xyz);
     if (brightest <= 0.0 || !isOnOneSide(v.point, s.wi, direction)) return false;
+    if (kIntegrator != kIntegratorPath) return true;
     if (render.rrMode != kRouletteOff && batch.bounce + 1u >= render.rrDepth) {
         float q = render.rrMode == kRouletteFixed ? render.rrFixed : min(1.0, brightest);
         if (choices.y >= q) return false;
-        throughput /= q;
+        throughput.xyz /= q;
     }
     return true;
+}
+
+// Rounds of integrator direct take no more samples of a kind than are asked for.
+bool takesLightSample() {
+    if (kStrategy == kStrategyBsdf) return false;
+    return kIntegrator != kIntegratorDirect || batch.round < render.lightSamples;
+}
+bool takesBsdfSample() { return kIntegrator != kIntegratorDirect || batch.round < render.bsdfSamples; }
+
+// What the vertex itself adds to the film; later rounds of integrator direct add nothing at the first.
+void addEmission(PathVertex v, vec3 radiance) {
+    bool camera = batch.bounce == 0u, begins = kIntegrator != kIntegratorDirect || batch.round == 0u;
+    vec3 emission = clampIndirect(v.throughput * radiance, batch.bounce);
+    if (camera && begins) addContribution(v.path, emission, true, kMetSurface);
+    if (!camera && maxMagnitude(emission) > 0.0) addContribution(v.path, emission, false, kMetNothing);
 }
 
 void main() {
@@ -104,30 +143,29 @@ void main() {
     bool live = i < queueSize(batch.bounce, kShadeQueue), lit = false, scattered = false;
     PathVertex v;
     ShadowItem shadow;
-    vec3 origin, direction, throughput;
+    vec3 origin, direction;
+    vec4 throughput;
     float pdf;
     if (live) {
         v = loadPathVertex(counters[queueArray(batch.bounce, kShadeQueue) + i]);
-        vec3 emission = v.throughput * emittedRadiance(v);
-        bool first = batch.bounce == 0u;
-        if (first || maxComponent(emission) > 0.0) addContribution(v.path, emission, first, first ? kMetSurface : kMetNothing);
-        if (batch.bounce < render.maxDepth && !isUnlit(v)) {
-            shadow = sampleDirect(v);
-            lit = maxComponent(shadow.radiance) > 0.0;
-            scattered = samplePathDirection(v, origin, direction, throughput, pdf);
+        if (kIntegrator == kIntegratorLightProbability) {
+            addEmission(v, vec3(isUnlit(v) ? 0.0 : lightProbability(sampleDirect(v))));
+        } else {
+            addEmission(v, emittedRadiance(v));
+            if (batch.bounce < render.maxDepth && !isUnlit(v)) {
+                if (takesLightSample()) shadow = makeShadowItem(v, sampleDirect(v));
+                lit = takesLightSample() && maxMagnitude(shadow.radiance) > 0.0;
+                scattered = samplePathDirection(v, origin, direction, throughput, pdf) && takesBsdfSample();
+            }
         }
     }
     uint shadowSlot = appendSlot(batch.bounce, kQueueShadow, lit);
     uint raySlot = appendSlot(batch.bounce + 1u, kQueueRay, scattered);
-    if (lit) {
-        storeStateFloat(kShadowOrigin, shadowSlot, vec4(shadow.origin, uintBitsToFloat(v.path)));
-        storeStateFloat(kShadowTarget, shadowSlot, vec4(shadow.target, shadow.tMax));
-        storeStateFloat(kShadowRadiance, shadowSlot, vec4(shadow.radiance, 0.0));
-    }
+    if (lit) storeShadowItem(shadowSlot, v.path, shadow);
     if (scattered) {
         storeStateFloat(kStateOrigin, v.path, vec4(origin, pdf));
         storeStateFloat(kStateDirection, v.path, vec4(direction, 0.0));
-        storeStateFloat(kStateThroughput, v.path, vec4(throughput, 0.0));
+        storeStateFloat(kStateThroughput, v.path, throughput);
         counters[queueArray(batch.bounce + 1u, kQueueRay) + raySlot] = v.path;
     }
 }

@@ -10,6 +10,7 @@ layout(push_constant) uniform Batch {
     uint pathCount;                  // pixelCount * sampleCount
     uint filmFirst;                  // first pixel of the band of the film that is bound
     uint filmLayers;                 // word of the film where the layers of its pixels begin
+    uint round;                      // of integrator direct, else 0: its paths begin anew, their sums go on
 } batch;
 
 layout(set = 0, binding = 3, std430) buffer StateWords { uvec4 stateWords[]; };
@@ -21,7 +22,7 @@ layout(set = 0, binding = 6, rgba32ui) readonly uniform uimageBuffer stateTexels
 // Arrays of stateWords, each `capacity` long.
 const uint kStateOrigin = 0u;      // xyz origin; w pdf of the BSDF sample, negative: MIS weight 1
 const uint kStateDirection = 1u;   // xyz direction; w instance of the hit
-const uint kStateThroughput = 2u;  // xyz
+const uint kStateThroughput = 2u;  // xyz; w medium that the path is in, 0: none
 const uint kStateHit = 3u;         // t, slot, b1, b2
 const uint kStateRed = 4u, kStateGreen = 5u, kStateBlue = 6u;  // exact sums; red.w: alpha
 const uint kShadowOrigin = 7u;     // xyz; w: path slot

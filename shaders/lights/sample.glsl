@@ -3,6 +3,7 @@
 struct LightSample {
     vec3 target;      // end of the shadow ray; a direction where `infinite`
     bool infinite;
+    float distance;   // to the light
     vec3 wi;          // unit, towards the light
     vec3 radiance;    // Le, or irradiance of a delta light; 0: nothing arrives
     float pdf;        // per solid angle, choice of the light included; of a delta light: of the choice alone
@@ -30,6 +31,7 @@ LightSample sampleTriangleLight(LightRecord light, vec3 from, vec2 u) {
     s.wi = toLight * inversesqrt(d2);
     float cosLight = -dot(n, s.wi);
     float scale = kOffsetScale * maxComponent(maxAbs(maxAbs(abs(light.a), light.b), light.c));
+    s.distance = sqrt(d2);
     s.target = point + n * (cosLight >= 0.0 ? scale : -scale);
     s.infinite = false;
     s.delta = false;
@@ -45,6 +47,7 @@ LightSample samplePunctualLight(LightRecord light, vec3 from) {
     vec3 toLight = light.a - from;
     float d2 = dot(toLight, toLight);
     s.wi = s.infinite ? -light.b : toLight * inversesqrt(d2);
+    s.distance = s.infinite ? uintBitsToFloat(0x7f800000u) : sqrt(d2);
     s.target = s.infinite ? s.wi : light.a;
     s.radiance = s.infinite ? light.color : (d2 > 0.0 ? punctualIrradiance(light, s.wi, d2) : vec3(0.0));
     s.pdf = light.pmf;
@@ -57,6 +60,7 @@ LightSample sampleEnvironmentLight(float pmf, vec2 u) {
     s.wi = sampleEnvironmentDirection(u, s.pdf);
     s.target = s.wi;
     s.infinite = true;
+    s.distance = uintBitsToFloat(0x7f800000u);
     s.radiance = environmentLookup(s.wi).rgb;
     s.pdf *= pmf;
     s.delta = false;
@@ -79,7 +83,7 @@ LightChoice chooseLight(uint bits) {
 
 // `bits`: two sampler values; the first chooses both the light and one coordinate of the point on it.
 LightSample sampleLight(vec3 from, uvec2 bits) {
-    LightSample s = LightSample(vec3(0.0), false, vec3(0.0), vec3(0.0), 0.0, false);
+    LightSample s = LightSample(vec3(0.0), false, 0.0, vec3(0.0), vec3(0.0), 0.0, false);
     if (scene.lightCount == 0u) return s;
     LightChoice choice = chooseLight(bits.x);
     LightRecord light = loadLight(choice.light);

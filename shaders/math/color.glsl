@@ -1,5 +1,6 @@
 float luminance(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }
 float maxComponent(vec3 v) { return max(v.x, max(v.y, v.z)); }
+float maxMagnitude(vec3 v) { return maxComponent(abs(v)); }
 
 // sRGB's transfer function, piecewise: display value to linear. [IEC 61966-2-1] Its power is x^2 (sqrt x)^0.8, the latter
 // by a polynomial fitted to least relative error over the branch, exact at 1: within 1e-6 of every byte's value, where

@@ -1,6 +1,7 @@
-// Weight of a light sample, or of a BSDF sample with the arguments swapped: power heuristic, beta = 2. [Veach 97]
-// Written as a ratio, so that no square overflows.
-float powerHeuristic(float pdf, float other) {
+// Weight of a sample of density `pdf` against another strategy, of density `other`, each times its number of samples: the
+// power heuristic. [Veach 97] Written as a ratio, so that no power overflows.
+float misWeight(float pdf, float other, float beta) {
     float ratio = other / pdf;
-    return 1.0 / (1.0 + ratio * ratio);
+    if (kBeta == 1u) return 1.0 / (1.0 + ratio);
+    return 1.0 / (1.0 + (kBeta == 2u ? ratio * ratio : pow(ratio, beta)));
 }

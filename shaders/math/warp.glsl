@@ -16,6 +16,9 @@ vec3 squareToCosineHemisphere(vec2 u) {
     return vec3(d, sqrt(max(1.0 - dot(d, d), 0.0)));
 }
 
+// Uniform hemisphere around +z; pdf 1/(2 pi).
+vec3 squareToUniformHemisphere(vec2 u) { return vec3(sqrt(max(1.0 - u.y * u.y, 0.0)) * cosSinTurns(u.x), u.y); }
+
 // Uniform barycentrics (b0, b1) of a triangle, low distortion. [Heitz 19]
 vec2 squareToTriangle(vec2 u) {
     if (u.y > u.x) {

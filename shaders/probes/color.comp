@@ -1,5 +1,5 @@
 #version 460
-// In: a colour; two densities. Out: its linear form and luminance; largest component, power heuristic of the densities.
+// In: a colour; two densities and the heuristic's exponent. Out: its linear form and luminance; largest component, MIS weight of the densities.
 #extension GL_GOOGLE_include_directive : require
 const uint kInputWords = 2u, kOutputWords = 2u;
 #include "probes/probe.glsl"
@@ -11,5 +11,5 @@ void main() {
     vec3 c = inputFloat(0u).rgb;
     vec4 pdfs = inputFloat(1u);
     putFloat(0u, vec4(srgbToLinear(c), luminance(c)));
-    putFloat(1u, vec4(maxComponent(c), powerHeuristic(pdfs.x, pdfs.y), 0.0, 0.0));
+    putFloat(1u, vec4(maxComponent(c), misWeight(pdfs.x, pdfs.y, pdfs.z), 0.0, 0.0));
 }

@@ -71,6 +71,8 @@ void putBsdf(BsdfRecord r) {
 // A cell is read as a word, by albedoLookup and albedoMean.
 void putCell(uvec4 w) { put(w.x); put(w.y); put(w.z); put(w.w); }
 
+void putFilter(FilterCell r) { put(r.begin); put(r.end); put(r.weight); }
+
 void main() {
     if (isIdle()) return;
     switch (inputWord(0u).x) {
@@ -86,5 +88,7 @@ void main() {
         case 9u: putParams(render); break;
         case 10u: putBsdf(loadBsdf(1u)); break;
         case 11u: putCell(sceneWord(scene.albedoTables + 1u)); break;
+        case 12u: putFilter(loadFilterCell(1u)); break;
+        case 13u: put(loadAbsorption(1u)); break;
     }
 }

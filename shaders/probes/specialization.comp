@@ -2,7 +2,7 @@
 // In: nothing that counts. Out: every specialization constant, four a word. src/verify/probes/specialization.cpp lists
 // the same.
 #extension GL_GOOGLE_include_directive : require
-const uint kInputWords = 1u, kOutputWords = 8u;
+const uint kInputWords = 1u, kOutputWords = 10u;
 #include "probes/probe.glsl"
 
 void main() {
@@ -15,4 +15,6 @@ void main() {
     putWord(5u, uvec4(kLayerWords, kAlbedoWord, kNormalWord, kDepthWord));
     putWord(6u, uvec4(kPositionWord, kUvWord, kIdsWord, kLuminanceWord));
     putWord(7u, uvec4(kSetSamples, kBsdfModels, kShadeGroups, kMultiscatter));
+    putWord(8u, uvec4(kIntegrator, kStrategy, kBeta, kHemisphere));
+    putWord(9u, uvec4(kProjection, kHasFilter, kHasLens, kHasMedia));
 }

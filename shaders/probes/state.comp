@@ -21,6 +21,7 @@ void main() {
     put(batch.pathCount);
     put(batch.filmFirst);
     put(batch.filmLayers);
+    put(batch.round);
     put(kRefused);
     put(kRefusedInLayers);
     for (uint bounce = 0u; bounce < 3u; ++bounce)

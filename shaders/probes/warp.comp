@@ -1,7 +1,7 @@
 #version 460
-// In: a point of the unit square. Out: its images on the disk and the triangle; on the hemisphere.
+// In: a point of the unit square. Out: its images on the disk and the triangle; on the hemisphere, by cosine and uniformly.
 #extension GL_GOOGLE_include_directive : require
-const uint kInputWords = 1u, kOutputWords = 2u;
+const uint kInputWords = 1u, kOutputWords = 3u;
 #include "probes/probe.glsl"
 #include "math/trigonometry.glsl"
 #include "math/warp.glsl"
@@ -11,4 +11,5 @@ void main() {
     vec2 u = inputFloat(0u).xy;
     putFloat(0u, vec4(squareToDisk(u), squareToTriangle(u)));
     putFloat(1u, vec4(squareToCosineHemisphere(u), 0.0));
+    putFloat(2u, vec4(squareToUniformHemisphere(u), 0.0));
 }

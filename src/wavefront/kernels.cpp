@@ -13,8 +13,19 @@ std::uint32_t searchSteps(std::uint32_t count) {
     return words == 0 ? 0 : static_cast<std::uint32_t>(std::bit_width(words - 1));
 }
 
+namespace {
+
+/// Exponents of the heuristic that need no power; 0: another.
+std::uint32_t foldedBeta(const RenderParams& p) {
+    if (p.strategy == kStrategyMisBalance || p.beta == 1) return 1;
+    return p.beta == 2 ? 2 : 0;
+}
+
+}  // namespace
+
 std::vector<std::uint32_t> specializationOf(const SceneFeatures& f, const SceneHeader& header,
                                             const KernelOptions& options) {
+    const RenderParams& p = options.params;
     const auto indexDigits = std::max<std::uint32_t>((std::bit_width(options.lastIndex) + 3U) / 4, 1);
     return {static_cast<std::uint32_t>(options.sampler.id),
             options.fetchTexel,
@@ -46,11 +57,31 @@ std::vector<std::uint32_t> specializationOf(const SceneFeatures& f, const SceneH
             options.film.firstWord(Layer::Luminance),
             options.setSamples,
             f.bsdfModels,
-            shadeGroupsOf(f.bsdfModels),
-            f.multiscatter};
+            shadeGroupsOf(f.bsdfModels, p.integrator),
+            f.multiscatter,
+            p.integrator,
+            p.strategy,
+            foldedBeta(p),
+            p.hemisphere,
+            p.projection,
+            header.filterTable != kNone,
+            p.lensRadius > 0,
+            f.media};
 }
 
-std::uint32_t shadeGroupsOf(std::uint32_t bsdfModels) {
+bool isLook(std::uint32_t integrator) {
+    switch (static_cast<IntegratorId>(integrator)) {
+        case IntegratorId::Path:
+        case IntegratorId::Direct:
+        case IntegratorId::LightProbability:
+            return false;
+        default:
+            return true;
+    }
+}
+
+std::uint32_t shadeGroupsOf(std::uint32_t bsdfModels, std::uint32_t integrator) {
+    if (isLook(integrator)) return 1U << kGroupGltf;
     std::uint32_t groups = 0;
     for (const BsdfModelInfo& model : kBsdfModels)
         if ((bsdfModels >> static_cast<std::uint32_t>(model.id) & 1U) != 0)
@@ -58,22 +89,24 @@ std::uint32_t shadeGroupsOf(std::uint32_t bsdfModels) {
     return groups;
 }
 
-WavefrontKernels::WavefrontKernels(Device& device, const SpirvSource& spirv,
-                                   std::span<const std::uint32_t> specialization, std::uint32_t bsdfModels,
-                                   bool useBallot, bool surfaceLayers) {
+WavefrontKernels::WavefrontKernels(Device& device, const SpirvSource& spirv, const SceneFeatures& features,
+                                   const SceneHeader& header, const KernelOptions& options) {
+    const std::vector<std::uint32_t> specialization = specializationOf(features, header, options);
     const auto make = [&](std::string_view name) -> Kernel {
         return {device, spirv(name), kKernelBindings, sizeof(BatchParams), specialization, name};
     };
+    const std::string form = options.useBallot ? "" : "_portable";
     generate = make("generate");
-    intersect = make(useBallot ? "intersect" : "intersect_portable");
+    intersect = make("intersect" + form);
+    const bool look = isLook(options.params.integrator);
     for (std::size_t group = 0; group < shade.size(); ++group)
-        if ((shadeGroupsOf(bsdfModels) >> group & 1U) != 0)
-            shade[group].emplace(make(kStageNames[static_cast<std::size_t>(kShadeStages[group])] +
-                                      std::string(useBallot ? "" : "_portable")));
+        if ((shadeGroupsOf(features.bsdfModels, options.params.integrator) >> group & 1U) != 0)
+            shade[group].emplace(
+                make((look ? "look" : kStageNames[static_cast<std::size_t>(kShadeStages[group])]) + form));
     miss = make("miss");
     shadow = make("shadow");
     accumulate = make("accumulate");
-    if (surfaceLayers) layers.emplace(make("layers"));
+    if (options.film.hasSurfaceLayer()) layers.emplace(make("layers"));
 }
 
 }  // namespace vkpt

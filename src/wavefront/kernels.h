@@ -31,6 +31,7 @@ struct KernelOptions {
     std::uint32_t setSamples = 0;   ///< N, where the sampler's points depend on it; 0: read it when they run
     bool fetchTexel = false, useBallot = false, stateTexel = false;
     FilmLayout film{};
+    RenderParams params = defaultParams();  ///< integrator, strategy, hemisphere and camera
 };
 
 /// Halvings that searchCdf of shaders/math/cdf.glsl needs for a table of `count` entries.
@@ -40,18 +41,22 @@ struct KernelOptions {
 [[nodiscard]] std::vector<std::uint32_t> specializationOf(const SceneFeatures& features, const SceneHeader& header,
                                                           const KernelOptions& options);
 
-/// Shade groups (kGroup*) of a set of BSDF models, a bit each.
-[[nodiscard]] std::uint32_t shadeGroupsOf(std::uint32_t bsdfModels);
+/// Whether an integrator asks nothing of BSDFs: kernel look then shades every hit.
+[[nodiscard]] bool isLook(std::uint32_t integrator);
+
+/// Shade groups (kGroup*) that hits are sorted into, a bit each: those of a set of BSDF models, or kGroupGltf alone
+/// for looks.
+[[nodiscard]] std::uint32_t shadeGroupsOf(std::uint32_t bsdfModels, std::uint32_t integrator);
 
 struct WavefrontKernels {
     Kernel generate, intersect, miss, shadow, accumulate;
-    std::array<std::optional<Kernel>, kGroups> shade;  ///< of the groups that the scene has
+    std::array<std::optional<Kernel>, kGroups> shade;  ///< of the groups that hits are sorted into
     std::optional<Kernel> layers;
 
-    /// `useBallot` false: the variants that need no subgroup operations. `surfaceLayers`: with the kernel that gathers
-    /// what camera rays meet.
-    WavefrontKernels(Device& device, const SpirvSource& spirv, std::span<const std::uint32_t> specialization,
-                     std::uint32_t bsdfModels, bool useBallot, bool surfaceLayers);
+    /// Every kernel that the scene and `options` need; with the variants that need no subgroup operations unless
+    /// useBallot.
+    WavefrontKernels(Device& device, const SpirvSource& spirv, const SceneFeatures& features, const SceneHeader& header,
+                     const KernelOptions& options);
 };
 
 }  // namespace vkpt

@@ -15,6 +15,7 @@ struct BatchParams {
     std::uint32_t pathCount = 0;
     std::uint32_t filmFirst = 0;
     std::uint32_t filmLayers = 0;  ///< word of the film buffer where the layers of its pixels begin
+    std::uint32_t round = 0;       ///< of integrator direct, else 0: its paths begin anew, their sums go on
 };
 
 /// Which path lies in a slot.
@@ -37,7 +38,7 @@ inline constexpr std::array kHitQueues = {Queue::Hit, Queue::HitMicrofacet, Queu
 enum class StateArray : std::uint32_t {
     Origin,      ///< xyz; w: pdf of the direction, negative: MIS weight 1
     Direction,   ///< xyz; w: instance of the hit
-    Throughput,  ///< xyz
+    Throughput,  ///< xyz; w: medium that the path is in, 1 + its material; 0: none
     Hit,         ///< t, slot of the triangle, b1, b2
     Red,         ///< exact sums; w: alpha
     Green,       ///< w: a surface was met

@@ -3,12 +3,25 @@
 #include <cstring>
 
 #include "gpu/transfer.h"
+#include "registry.h"
 #include "wavefront/renderer_impl.h"
 
 namespace vkpt {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+/// Whether shadow rays may leave the surfaces that segment `bounce` meets.
+bool hasShadowRays(const RenderParams& params, std::uint32_t bounce) {
+    return bounce < params.maxDepth || params.integrator == static_cast<std::uint32_t>(IntegratorId::Ao);
+}
+
+/// How often the paths of a batch begin: once, or for every sample of integrator direct.
+std::uint32_t roundsOf(const RenderParams& p) {
+    if (p.integrator != static_cast<std::uint32_t>(IntegratorId::Direct) || p.maxDepth == 0) return 1;
+    const std::uint32_t lightSamples = p.strategy == kStrategyBsdf ? 0 : p.lightSamples;
+    return std::max({p.bsdfSamples, lightSamples, 1U});
+}
 
 std::uint32_t groupsFor(std::uint32_t items) { return (items + kGroupSize - 1) / kGroupSize; }
 
@@ -50,11 +63,11 @@ void WavefrontRenderer::Impl::recordBounces(const FilmBand& band, BatchParams ba
     };
     for (batch.bounce = begin; batch.bounce < end; ++batch.bounce) {
         stage(kernels.intersect, Queue::Ray, Stage::Intersect);
-        if (batch.bounce == 0 && kernels.layers) recordLayers(band, batch);
+        if (batch.bounce == 0 && batch.round == 0 && kernels.layers) recordLayers(band, batch);
         stage(kernels.miss, Queue::Miss, Stage::Miss);
         for (std::size_t group = 0; group < kernels.shade.size(); ++group)
             if (kernels.shade[group]) stage(*kernels.shade[group], kHitQueues[group], kShadeStages[group]);
-        if (batch.bounce < options.params.maxDepth) stage(kernels.shadow, Queue::Shadow, Stage::Shadow);
+        if (hasShadowRays(options.params, batch.bounce)) stage(kernels.shadow, Queue::Shadow, Stage::Shadow);
     }
 }
 
@@ -80,11 +93,21 @@ void WavefrontRenderer::Impl::submit(WavefrontStats& stats) {
 
 void WavefrontRenderer::Impl::renderBatch(const FilmBand& band, BatchParams batch, WavefrontStats& stats) {
     const auto start = Clock::now();
-    const std::uint32_t bounces = options.params.maxDepth + 1;
     batch.capacity = capacity;
     batch.pathCount = batch.pixelCount * batch.sampleCount;
     batch.filmFirst = band.band.firstPixel;
     batch.filmLayers = band.band.pixelCount * sizeof(FilmSums) / sizeof(uvec4);
+    const std::uint32_t rounds = roundsOf(options.params);
+    for (; batch.round < rounds; ++batch.round) renderRound(band, batch, batch.round + 1 == rounds, stats);
+    stats.paths += batch.pathCount;
+    ++stats.batches;
+    batchSeconds = secondsSince(start);
+}
+
+/// From camera rays to the end of their paths; `last`: then to the film.
+void WavefrontRenderer::Impl::renderRound(const FilmBand& band, const BatchParams& batch, bool last,
+                                          WavefrontStats& stats) {
+    const std::uint32_t bounces = options.params.maxDepth + 1;
     bool more = true;
     for (std::uint32_t begin = 0; more; begin += kBouncesPerSubmit) {
         const std::uint32_t end = std::min(begin + kBouncesPerSubmit, bounces);
@@ -93,7 +116,7 @@ void WavefrontRenderer::Impl::renderBatch(const FilmBand& band, BatchParams batc
         if (config.timings) recorder.timestamp(0);
         if (begin == 0) recordStart(band, batch);
         recordBounces(band, batch, begin, end);
-        if (end == bounces) recordEnd(band, batch);
+        if (end == bounces && last) recordEnd(band, batch);
         submit(stats);
         more = end < bounces;
         QueueCounter left;
@@ -102,15 +125,12 @@ void WavefrontRenderer::Impl::renderBatch(const FilmBand& band, BatchParams batc
             stamps.clear();
             recorder.begin();
             if (config.timings) recorder.timestamp(0);
-            recordEnd(band, batch);
+            if (last) recordEnd(band, batch);
             submit(stats);
             more = false;
         }
     }
     gatherCounters(stats);
-    stats.paths += batch.pathCount;
-    ++stats.batches;
-    batchSeconds = secondsSince(start);
 }
 
 void WavefrontRenderer::Impl::gatherCounters(WavefrontStats& stats) {

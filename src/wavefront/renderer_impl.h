@@ -64,6 +64,7 @@ struct WavefrontRenderer::Impl {
     void show(Stage stage, const BatchParams& batch);
     void submit(WavefrontStats& stats);
     void renderBatch(const FilmBand& band, BatchParams batch, WavefrontStats& stats);
+    void renderRound(const FilmBand& band, const BatchParams& batch, bool last, WavefrontStats& stats);
     void renderPass(std::uint32_t firstSample, std::uint32_t sampleCount, const RenderControl& control,
                     std::uint64_t totalPaths, WavefrontStats& stats);
     void gatherCounters(WavefrontStats& stats);

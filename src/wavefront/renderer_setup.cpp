@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "base/error.h"
+#include "registry.h"
 #include "wavefront/renderer_impl.h"
 
 namespace vkpt {
@@ -47,29 +48,37 @@ std::uint32_t setSamples(const RenderOptions& options) {
 
 std::uint32_t lastIndex(const RenderOptions& options) { return std::max(options.params.spp, 1U) - 1; }
 
+/// With the depth at which the integrator ends its paths. [estimator.md, Integrators]
+RenderOptions withOwnDepth(RenderOptions options) {
+    const auto integrator = static_cast<IntegratorId>(options.params.integrator);
+    if (integrator != IntegratorId::Path)
+        options.params.maxDepth = integrator == IntegratorId::Direct ? std::min(options.params.maxDepth, 1U) : 0;
+    return options;
+}
+
 }  // namespace
 
 WavefrontRenderer::Impl::Impl(const SceneArrays& arrays, const RenderOptions& renderOptions,
                               const WavefrontConfig& wavefrontConfig)
-    : options(renderOptions),
+    : options(withOwnDepth(renderOptions)),
       config(wavefrontConfig),
       device({config.device, config.validation}),
-      layout(planScene(arrays, options.sampler, lastIndex(options))),
+      layout(planScene(arrays, options.sampler, lastIndex(options), options.params)),
       filmLayout(options.aovs),
       capacity(config.pathsInFlight != 0 ? config.pathsInFlight : kDefaultPaths),
       texels(useTexels(device, config.fetch, layout.bytes)),
       stateTexel(useStateTexels(device, config.fetch, stateBytes(capacity))),
       ballot(config.ballot && device.info().subgroupBallot),
       kernels(device, config.kernels ? config.kernels : SpirvSource(kernelSpirv),
-              specializationOf(arrays.features, layout.header,
-                               {.sampler = options.sampler,
-                                .lastIndex = lastIndex(options),
-                                .setSamples = setSamples(options),
-                                .fetchTexel = texels,
-                                .useBallot = ballot,
-                                .stateTexel = stateTexel,
-                                .film = filmLayout}),
-              arrays.features.bsdfModels, ballot, filmLayout.hasSurfaceLayer()),
+              arrays.features, layout.header,
+              {.sampler = options.sampler,
+               .lastIndex = lastIndex(options),
+               .setSamples = setSamples(options),
+               .fetchTexel = texels,
+               .useBallot = ballot,
+               .stateTexel = stateTexel,
+               .film = filmLayout,
+               .params = options.params}),
       recorder(device, config.timings ? (kStageNames.size() - 3) * kBouncesPerSubmit + 5 : 0),
       pathsPerBatch(capacity) {
     if (counterBlocks() > kMaxBounceBlocks)

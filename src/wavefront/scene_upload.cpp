@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "gpu/transfer.h"
+#include "scene/pixel_filter.h"
 #include "scene/sampler_table.h"
 
 namespace vkpt {
@@ -34,13 +35,16 @@ void forEachSection(const SceneArrays& a, Layout& layout, const Visit& visit) {
     visit(h.envRows, std::as_bytes(std::span(a.envRows)));
     visit(h.envColumns, std::as_bytes(std::span(a.envColumns)));
     visit(h.samplerTable, std::as_bytes(std::span(layout.samplerTable)));
+    visit(h.filterTable, std::as_bytes(std::span(layout.filterTable)));
 }
 
 }  // namespace
 
-SceneLayout planScene(const SceneArrays& arrays, SamplerChoice sampler, std::uint32_t lastIndex) {
+SceneLayout planScene(const SceneArrays& arrays, SamplerChoice sampler, std::uint32_t lastIndex,
+                      const RenderParams& params) {
     SceneLayout layout;
     layout.samplerTable = samplerTable(sampler, lastIndex);
+    layout.filterTable = filterTable(params);
     std::size_t words = 0;
     forEachSection(arrays, layout, [&](uint& offset, std::span<const std::byte> bytes) {
         if (words >= kNone) throw DeviceError("the scene needs more than 64 GiB on the device");

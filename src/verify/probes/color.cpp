@@ -1,17 +1,20 @@
 #include <algorithm>
+#include <cmath>
 
 #include "reference/real.h"
 #include "reference/texture.h"
 #include "verify/context.h"
 #include "verify/inputs/random_inputs.h"
 #include "verify/probes.h"
+#include "wavefront/kernels.h"
 
 namespace vkpt {
 namespace {
 
 struct In {
     glm::vec4 color{0};
-    glm::vec2 pdfs{1, 1}, unused{0};
+    glm::vec2 pdfs{1, 1};
+    float beta = 2, unused = 0;
 };
 struct Out {
     glm::vec3 linear;
@@ -49,18 +52,24 @@ void compareLuminance(Prober& prober, Findings& findings) {
     }
 }
 
-/// Densities whose squares overflow or underflow among them.
-void compareHeuristic(Prober& prober, Findings& findings) {
+/// Densities whose powers overflow or underflow among them.
+void compareHeuristic(Prober& prober, Findings& findings, float beta) {
     std::vector<In> inputs;
     for (const float pdf : {1e-30F, 1e-3F, 0.3F, 1.0F, 7.0F, 1e4F, 1e30F})
         for (const float other : {0.0F, 1e-30F, 1e-3F, 0.3F, 1.0F, 7.0F, 1e4F, 1e30F})
-            inputs.push_back({.pdfs = {pdf, other}});
-    const auto out = prober.evaluate<Out>("color", inputs);
-    const auto scope = findings.inputs([&](std::size_t i) { return "the densities " + show(inputs[i].pdfs); });
+            inputs.push_back({.pdfs = {pdf, other}, .beta = beta});
+    KernelOptions kernel;
+    kernel.params.beta = beta;
+    ProbeOptions options;
+    options.specialization = specializationOf({}, {}, kernel);
+    const auto out = prober.evaluate<Out>("color", inputs, options);
+    const auto scope = findings.inputs(
+        [&](std::size_t i) { return fmt::format("the densities {}, exponent {}", show(inputs[i].pdfs), beta); });
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         findings.at(i);
         const glm::dvec2 p(inputs[i].pdfs);
-        findings.near("powerHeuristic", out[i].weight, p.x * p.x / (p.x * p.x + p.y * p.y), 1e-30, 1e-6);
+        const double weight = 1 / (1 + std::pow(p.y / p.x, double{beta}));
+        findings.near("misWeight", out[i].weight, weight, 1e-30, beta == 1 || beta == 2 ? 1e-6 : 1e-5);
     }
 }
 
@@ -69,7 +78,7 @@ void compareHeuristic(Prober& prober, Findings& findings) {
 void checkColor(VerifyContext& context, Findings& findings) {
     compareSrgb(context.prober(), findings);
     compareLuminance(context.prober(), findings);
-    compareHeuristic(context.prober(), findings);
+    for (const float beta : {1.0F, 2.0F, 1.7F}) compareHeuristic(context.prober(), findings, beta);
 }
 
 }  // namespace vkpt

@@ -125,7 +125,30 @@ void compareCarries(Prober& prober, Findings& findings) {
     }
 }
 
-/// A contribution that is not finite, negative or too large in any channel changes nothing and counts once.
+/// What filters take away: sums in two's complement, above and below 0.
+void compareNegative(Prober& prober, Findings& findings) {
+    std::vector<In> inputs;
+    const auto values = acceptedValues();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        In in{.color = {-values[i], values[(i * 7 + 3) % values.size()], -values[(i * 11 + 5) % values.size()]}};
+        if (i % 2 == 1) in.sums[0] = in.sums[1] = in.sums[2] = {7, 0, 0xffffffffU - static_cast<std::uint32_t>(i), 0};
+        inputs.push_back(in);
+    }
+    const auto [out, refused] = run(prober, inputs);
+    const auto scope = findings.inputs([&](std::size_t i) { return "addContribution of " + show(inputs[i].color); });
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        findings.at(i);
+        for (int c = 0; c < 3; ++c) {
+            const float value = inputs[i].color[c];
+            const U128 exact = exactFixedPoint(std::abs(value));
+            findings.equal("sum with what is below 0", glm::uvec3(out[i].sums[c]),
+                           wordsOf((wide(inputs[i].sums[c]) + (value < 0 ? kModulus - exact : exact)) % kModulus));
+        }
+    }
+    findings.equal("count of refusals", refused, 0U);
+}
+
+/// A contribution that is not finite or too large in any channel changes nothing and counts once.
 void compareRefusals(Prober& prober, Findings& findings) {
     const float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
     const std::vector<float> bad = {nan,
@@ -134,9 +157,8 @@ void compareRefusals(Prober& prober, Findings& findings) {
                                     std::bit_cast<float>(0xffffffffU),
                                     inf,
                                     -inf,
-                                    -1,
-                                    -0x1p-149F,
                                     -1e30F,
+                                    -0x1p40F,
                                     0x1p40F,
                                     0x1p41F,
                                     std::numeric_limits<float>::max()};
@@ -179,6 +201,7 @@ void compareMinusZero(Prober& prober, Findings& findings) {
 void checkFixedPoint(VerifyContext& context, Findings& findings) {
     compareRounding(context.prober(), findings);
     compareCarries(context.prober(), findings);
+    compareNegative(context.prober(), findings);
     compareRefusals(context.prober(), findings);
     compareMinusZero(context.prober(), findings);
 }

@@ -20,7 +20,8 @@ using Fields = std::array<Word, kFieldsRoom>;
 
 constexpr std::array kStructs = {"TriangleRecord", "VertexRecord",   "VertexExtra",   "WideNode",
                                  "InstanceRecord", "MaterialRecord", "TextureRecord", "LightRecord",
-                                 "SceneHeader",    "RenderParams",   "BsdfRecord",    "AlbedoCell"};
+                                 "SceneHeader",    "RenderParams",   "BsdfRecord",    "AlbedoCell",
+                                 "FilterCell",     "absorption of a BsdfRecord"};
 
 /// A struct whose 32-bit words all differ, from each other and from those of other structs. As floats they are normal.
 template <class T>
@@ -52,10 +53,11 @@ struct Records {
     RenderParams params = pattern<RenderParams>(10);
     BsdfRecord bsdf = pattern<BsdfRecord>(11);
     AlbedoCell cell = pattern<AlbedoCell>(12);
+    FilterCell filter = pattern<FilterCell>(13);
 };
 
 std::array<Fields, kStructs.size()> expectedFields(const Records& all) {
-    const auto& [t, v, e, n, i, m, x, l, h, p, b, c] = all;
+    const auto& [t, v, e, n, i, m, x, l, h, p, b, c, f] = all;
     return {
         fieldsOf(t.v0, t.flags, t.v1, t.light, t.v2, t.primitive, t.i0, t.i1, t.i2, t.object),
         fieldsOf(v.normal, v.u0, v.v0, v.tangent),
@@ -78,6 +80,8 @@ std::array<Fields, kStructs.size()> expectedFields(const Records& all) {
         fieldsOf(b.color, b.alphaX, b.diffuse, b.alphaY, b.eta, b.exponentX, b.k, b.exponentY, b.average, b.weight,
                  b.flags, b.table, b.sigma, b.specular),
         fieldsOf(c.x, c.y, c.z, c.w),
+        fieldsOf(f.begin, f.end, f.weight),
+        fieldsOf(b.diffuse),
     };
 }
 
@@ -105,6 +109,7 @@ std::vector<Word> layOut(Records& records) {
     records.header.lights = append(words, records.light);
     records.header.bsdfs = append(words, records.bsdf);
     records.header.albedoTables = append(words, records.cell);
+    records.header.filterTable = append(words, records.filter);
     return words;
 }
 

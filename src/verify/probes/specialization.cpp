@@ -17,8 +17,13 @@ struct Constants {
 
 using Named = std::pair<const char*, std::uint32_t>;
 
+std::uint32_t expectedBeta(const RenderParams& p) {
+    const float beta = p.strategy == kStrategyMisBalance ? 1 : p.beta;
+    return beta == 1 || beta == 2 ? static_cast<std::uint32_t>(beta) : 0;
+}
+
 /// All constants by name, in the order in which the probe writes them.
-std::array<Named, 32> namesAndValues(const Constants& c) {
+std::array<Named, 40> namesAndValues(const Constants& c) {
     const auto& [f, h, o] = c;
     const auto flag = [](bool b) { return b ? 1U : 0U; };
     return {Named{"kSampler", static_cast<std::uint32_t>(o.sampler.id)},
@@ -52,7 +57,15 @@ std::array<Named, 32> namesAndValues(const Constants& c) {
             {"kSetSamples", o.setSamples},
             {"kBsdfModels", f.bsdfModels},
             {"kShadeGroups", 1U << kGroupMicrofacet | 1U << kGroupClassic},
-            {"kMultiscatter", flag(f.multiscatter)}};
+            {"kMultiscatter", flag(f.multiscatter)},
+            {"kIntegrator", o.params.integrator},
+            {"kStrategy", o.params.strategy},
+            {"kBeta", expectedBeta(o.params)},
+            {"kHemisphere", o.params.hemisphere},
+            {"kProjection", o.params.projection},
+            {"kHasFilter", flag(h.filterTable != kNone)},
+            {"kHasLens", flag(o.params.lensRadius > 0)},
+            {"kHasMedia", flag(f.media)}};
 }
 
 /// Round `bit` of a set in which no two flags are the same in all rounds; the numbers differ in any.
@@ -62,7 +75,8 @@ Constants makeConstants(std::uint32_t bit) {
     std::uint32_t number = 0;
     for (bool* flag :
          {&f.instances, &f.alpha, &f.textureTransforms, &f.vertexExtras, &f.triangleLights, &f.texturedEmission,
-          &f.punctualLights, &f.environment, &f.unlit, &f.multiscatter, &o.fetchTexel, &o.useBallot, &o.stateTexel})
+          &f.punctualLights, &f.environment, &f.unlit, &f.multiscatter, &f.media, &o.fetchTexel, &o.useBallot,
+          &o.stateTexel})
         *flag = (++number >> bit & 1U) != 0;
     f.maps = 13;
     f.bsdfModels = 1U << static_cast<std::uint32_t>(BsdfId::Eon) | 1U << static_cast<std::uint32_t>(BsdfId::Dielectric);
@@ -74,18 +88,26 @@ Constants makeConstants(std::uint32_t bit) {
     o.lastIndex = 0xabc;  // three hexadecimal digits
     o.setSamples = 77;
     if (bit % 2 == 0) o.film = FilmLayout(kAllAovs);
+    RenderParams& p = o.params;
+    p.integrator = static_cast<std::uint32_t>(bit % 2 == 0 ? IntegratorId::Direct : IntegratorId::LightProbability);
+    p.strategy = bit == 3 ? kStrategyMisBalance : kStrategyMisPower;
+    p.beta = bit == 0 ? 1.5F : static_cast<float>(bit);
+    p.hemisphere = bit % 2 == 0 ? kHemisphereUniform : kHemisphereCosine;
+    p.projection = bit % 2 == 0 ? kProjectionPanorama : kProjectionOrthographic;
+    p.lensRadius = bit < 2 ? 0.25F : 0;
+    h.filterTable = bit % 2 == 0 ? kNone : 3;
     return c;
 }
 
 }  // namespace
 
 void checkSpecialization(VerifyContext& context, Findings& findings) {
-    constexpr std::uint32_t kRounds = 4;  // 13 flags
+    constexpr std::uint32_t kRounds = 4;  // 14 flags
     for (std::uint32_t round = 0; round < kRounds; ++round) {
         const Constants constants = makeConstants(round);
         ProbeOptions options;
         options.specialization = specializationOf(constants.features, constants.header, constants.options);
-        const auto read = context.prober().evaluate<std::array<std::uint32_t, 36>>(
+        const auto read = context.prober().evaluate<std::array<std::uint32_t, 40>>(
             "specialization", std::vector<glm::uvec4>(1), options)[0];
         const auto expected = namesAndValues(constants);
         const auto scope = findings.inputs([&](std::size_t i) { return std::string(expected[i].first); });

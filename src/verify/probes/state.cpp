@@ -11,7 +11,7 @@
 namespace vkpt {
 namespace {
 
-constexpr BatchParams kBatch{11, 12, 13, 14, 5, 40, 17, 18, 19};
+constexpr BatchParams kBatch{11, 12, 13, 14, 5, 40, 17, 18, 19, 20};
 constexpr std::uint32_t kBounces = 3, kSlots = 40, kWidth = 10;
 
 struct Read {
@@ -36,7 +36,7 @@ Read runStateProbe(Prober& prober) {
     recorder.begin();
     recorder.dispatch(kernel, group, kBatch, 1);
     recorder.submitAndWait();
-    return {readStorage<std::uint32_t>(device, outputs, 0, 11 + kBounces * kQueues * 2 + 2 * kSlots),
+    return {readStorage<std::uint32_t>(device, outputs, 0, 12 + kBounces * kQueues * 2 + 2 * kSlots),
             readStorage<uvec4>(device, state, 0, empty.size())};
 }
 
@@ -52,6 +52,7 @@ std::vector<std::pair<std::string, std::size_t>> expectedOutputs() {
         {"pathCount", b.pathCount},
         {"filmFirst", b.filmFirst},
         {"filmLayers", b.filmLayers},
+        {"round", b.round},
         {"counter of refusals", kRefusedCounter},
         {"counter of refusals in layers", kRefusedInLayersCounter}};
     for (std::uint32_t bounce = 0; bounce < kBounces; ++bounce)

@@ -1,5 +1,8 @@
 #include "reference/warp.h"
 
+#include <cmath>
+#include <numbers>
+
 #include "verify/context.h"
 #include "verify/inputs/random_inputs.h"
 #include "verify/probes.h"
@@ -9,7 +12,7 @@ namespace {
 
 struct Out {
     glm::vec2 disk, triangle;
-    glm::vec4 hemisphere;
+    glm::vec4 hemisphere, uniform;
 };
 
 /// A grid that meets the diagonals, the middle and the borders of the square, and points in between.
@@ -40,6 +43,12 @@ void checkWarp(VerifyContext& context, Findings& findings) {
         findings.near("its squared height", w.z * w.z, expected.z * expected.z, 1e-6);
         findings.near("its length", glm::dot(w, w), 1, 1e-6);
         findings.holds("its side", w.z >= 0, "is below the surface");
+
+        const glm::dvec3 even(out[i].uniform);
+        const double turns = 2 * std::numbers::pi * u.x, radius = glm::length(glm::dvec2(even));
+        findings.equal("height of squareToUniformHemisphere", out[i].uniform.z, points[i].y);
+        findings.near("its azimuth", glm::dvec2(even), radius * glm::dvec2(std::cos(turns), std::sin(turns)), 4e-7);
+        findings.near("its length", glm::dot(even, even), 1, 1e-6);
 
         const glm::vec2 b = out[i].triangle;
         findings.equal("squareToTriangle", b, glm::vec2(reference::squareToTriangle<float>(glm::vec2(points[i]))));

@@ -1,0 +1,5 @@
+#version 460
+// For devices without subgroup ballot: a module that names the capability would not load there.
+#extension GL_GOOGLE_include_directive : require
+#define VKPT_NO_BALLOT
+#include "kernels/look.glsl"
