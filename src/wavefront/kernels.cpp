@@ -65,7 +65,7 @@ std::vector<std::uint32_t> specializationOf(const SceneFeatures& f, const SceneH
             p.hemisphere,
             p.projection,
             header.filterTable != kNone,
-            p.lensRadius > 0,
+            p.lensRadius > 0 && p.projection != kProjectionPanorama,
             f.media};
 }
 

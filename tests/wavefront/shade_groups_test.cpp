@@ -25,10 +25,16 @@ SceneArrays lampsOf(BsdfId model) {
 }
 
 TEST(ShadeGroups, OfModels) {
-    EXPECT_EQ(shadeGroupsOf(1), 1U << kGroupGltf);
+    constexpr auto kPath = static_cast<std::uint32_t>(IntegratorId::Path);
+    EXPECT_EQ(shadeGroupsOf(1, kPath), 1U << kGroupGltf);
     for (const BsdfModelInfo& model : kBsdfModels)
-        EXPECT_EQ(shadeGroupsOf(1U << static_cast<std::uint32_t>(model.id)),
+        EXPECT_EQ(shadeGroupsOf(1U << static_cast<std::uint32_t>(model.id), kPath),
                   1U << static_cast<std::uint32_t>(model.group));
+}
+
+TEST(ShadeGroups, LooksHaveOneWhateverTheModels) {
+    EXPECT_EQ(shadeGroupsOf(~0U, static_cast<std::uint32_t>(IntegratorId::Albedo)), 1U << kGroupGltf);
+    EXPECT_EQ(shadeGroupsOf(~0U, static_cast<std::uint32_t>(IntegratorId::LightProbability)), (1U << kGroups) - 1);
 }
 
 TEST(ShadeGroups, ASceneOfOneGroupHasOneKernel) {

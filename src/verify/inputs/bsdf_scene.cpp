@@ -6,14 +6,15 @@
 namespace vkpt {
 namespace {
 
-/// One of each model, and more of those with distributions.
+/// One of each model, and more of those with distributions; glass that absorbs, too.
 std::vector<BsdfSpec> specs() {
     std::vector<BsdfSpec> list;
     for (const BsdfModelInfo& model : kBsdfModels) list.push_back(defaultBsdf(model.id));
     for (const char* text :
          {"conductor:alpha=0", "conductor:alpha=0.1/0.5,distribution=beckmann,metal=Au",
           "conductor:alpha=0.4,distribution=phong", "dielectric:alpha=0", "dielectric:alpha=0.3,distribution=beckmann",
-          "dielectric:alpha=0.2,ior=1.33", "plastic:alpha=0.2", "torrance_sparrow:alpha=0.2/0.4"})
+          "dielectric:alpha=0.2,ior=1.33,attenuation_color=0.9/0.5/0.1", "plastic:alpha=0.2",
+          "torrance_sparrow:alpha=0.2/0.4"})
         list.push_back(parseBsdfSpec(text));
     return list;
 }

@@ -18,9 +18,12 @@ using Word = std::array<std::uint32_t, 4>;
 constexpr std::size_t kFieldsRoom = 32;
 using Fields = std::array<Word, kFieldsRoom>;
 
-constexpr std::array kStructs = {"TriangleRecord", "VertexRecord",   "VertexExtra",   "WideNode",
-                                 "InstanceRecord", "MaterialRecord", "TextureRecord", "LightRecord",
-                                 "SceneHeader",    "RenderParams",   "BsdfRecord",    "AlbedoCell",
+constexpr std::array kStructs = {"TriangleRecord", "VertexRecord",
+                                 "VertexExtra",    "WideNode",
+                                 "InstanceRecord", "MaterialRecord",
+                                 "TextureRecord",  "LightRecord",
+                                 "SceneHeader",    "RenderParams",
+                                 "BsdfRecord",     "AlbedoCell",
                                  "FilterCell",     "absorption of a BsdfRecord"};
 
 /// A struct whose 32-bit words all differ, from each other and from those of other structs. As floats they are normal.

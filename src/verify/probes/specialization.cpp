@@ -64,7 +64,7 @@ std::array<Named, 40> namesAndValues(const Constants& c) {
             {"kHemisphere", o.params.hemisphere},
             {"kProjection", o.params.projection},
             {"kHasFilter", flag(h.filterTable != kNone)},
-            {"kHasLens", flag(o.params.lensRadius > 0)},
+            {"kHasLens", flag(o.params.lensRadius > 0 && o.params.projection != kProjectionPanorama)},
             {"kHasMedia", flag(f.media)}};
 }
 
@@ -73,10 +73,9 @@ Constants makeConstants(std::uint32_t bit) {
     Constants c;
     auto& [f, h, o] = c;
     std::uint32_t number = 0;
-    for (bool* flag :
-         {&f.instances, &f.alpha, &f.textureTransforms, &f.vertexExtras, &f.triangleLights, &f.texturedEmission,
-          &f.punctualLights, &f.environment, &f.unlit, &f.multiscatter, &f.media, &o.fetchTexel, &o.useBallot,
-          &o.stateTexel})
+    for (bool* flag : {&f.instances, &f.alpha, &f.textureTransforms, &f.vertexExtras, &f.triangleLights,
+                       &f.texturedEmission, &f.punctualLights, &f.environment, &f.unlit, &f.multiscatter, &f.media,
+                       &o.fetchTexel, &o.useBallot, &o.stateTexel})
         *flag = (++number >> bit & 1U) != 0;
     f.maps = 13;
     f.bsdfModels = 1U << static_cast<std::uint32_t>(BsdfId::Eon) | 1U << static_cast<std::uint32_t>(BsdfId::Dielectric);
@@ -93,7 +92,7 @@ Constants makeConstants(std::uint32_t bit) {
     p.strategy = bit == 3 ? kStrategyMisBalance : kStrategyMisPower;
     p.beta = bit == 0 ? 1.5F : static_cast<float>(bit);
     p.hemisphere = bit % 2 == 0 ? kHemisphereUniform : kHemisphereCosine;
-    p.projection = bit % 2 == 0 ? kProjectionPanorama : kProjectionOrthographic;
+    p.projection = bit % 2 == 0 ? kProjectionPanorama : kProjectionOrthographic;  // the former without a lens
     p.lensRadius = bit < 2 ? 0.25F : 0;
     h.filterTable = bit % 2 == 0 ? kNone : 3;
     return c;

@@ -25,7 +25,10 @@ reference::PathState DevicePaths::stateOf(const StageSnapshot& device, std::uint
     state.bounce = bounce;
     const glm::vec4 origin = floats(device.word(StateArray::Origin, path));
     state.ray = {glm::vec3(origin), glm::vec3(floats(device.word(StateArray::Direction, path)))};
-    state.throughput = glm::vec3(floats(device.word(StateArray::Throughput, path)));
+    state.round = device.batch.round;
+    const uvec4& throughput = device.word(StateArray::Throughput, path);
+    state.throughput = glm::vec3(floats(throughput));
+    if (throughput.w != 0) state.medium = throughput.w - 1;
     if (origin.w >= 0) state.pdfBsdf = origin.w;
     return state;
 }

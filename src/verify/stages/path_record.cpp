@@ -11,6 +11,7 @@ public:
     void see(const StageSnapshot& now) {
         const std::uint32_t bounce = now.batch.bounce;
         records_.resize(now.batch.pathCount);
+        begins_.resize(now.batch.pathCount);
         if (now.stage == Stage::Generate) {
             for (const std::uint32_t path : now.queue(0, Queue::Ray)) begin(now, path, 0);
         } else if (now.stage == Stage::Intersect) {
@@ -34,13 +35,15 @@ private:
     void begin(const StageSnapshot& now, std::uint32_t path, std::uint32_t bounce) {
         PathStep step;
         step.state = paths_.stateOf(now, path, bounce);
+        if (bounce == 0) begins_[path] = records_[path].size();
         records_[path].push_back(step);
     }
     PathStep& last(std::uint32_t path) { return records_[path].back(); }
-    PathStep& shaded(std::uint32_t path, std::uint32_t bounce) { return records_[path][bounce]; }
+    PathStep& shaded(std::uint32_t path, std::uint32_t bounce) { return records_[path][begins_[path] + bounce]; }
 
     void emit(const StageSnapshot& now, std::uint32_t path) {
-        last(path).emitted = addedTo(now.batch.bounce == 0 ? PathSums{} : sumsOf(before_, path), sumsOf(now, path));
+        last(path).emitted = addedTo(now.batch.bounce == 0 && now.batch.round == 0 ? PathSums{} : sumsOf(before_, path),
+                                     sumsOf(now, path));
     }
 
     void shade(const StageSnapshot& now) {
@@ -61,6 +64,7 @@ private:
     const DevicePaths& paths_;
     StageSnapshot before_;
     std::vector<PathRecord> records_;
+    std::vector<std::size_t> begins_;  ///< of the current round, a path
 };
 
 }  // namespace
@@ -73,23 +77,27 @@ std::vector<PathRecord> recordDevice(const DevicePaths& paths, WavefrontRenderer
 
 PathRecord recordReference(const reference::PathTracer& tracer, std::uint32_t x, std::uint32_t y, std::uint32_t index) {
     PathRecord record;
-    std::optional<reference::PathState> state = tracer.start(x, y, index);
-    while (state) {
-        PathStep step;
-        step.state = *state;
-        step.hit = tracer.intersect(*state);
-        if (!step.hit) {
-            step.emitted = tracer.miss(*state);
+    for (std::uint32_t round = 0; round < tracer.rounds(); ++round) {
+        std::optional<reference::PathState> state = tracer.start(x, y, index);
+        state->round = round;
+        while (state) {
+            PathStep step;
+            step.state = *state;
+            step.hit = tracer.intersect(*state);
+            if (!step.hit) {
+                const bool seen = state->bounce > 0 || round == 0;
+                if (seen) step.emitted = tracer.miss(*state);
+                record.push_back(step);
+                break;
+            }
+            const reference::PathVertex vertex = tracer.shade(*state, *step.hit);
+            step.emitted = vertex.emitted;
+            step.direct = vertex.direct;
+            step.arrives = vertex.direct && !tracer.isOccluded(*state, *vertex.direct);
+            step.next = vertex.next;
             record.push_back(step);
-            break;
+            state = vertex.next;
         }
-        const reference::PathVertex vertex = tracer.shade(*state, *step.hit);
-        step.emitted = vertex.emitted;
-        step.direct = vertex.direct;
-        step.arrives = vertex.direct && !tracer.isOccluded(*state, *vertex.direct);
-        step.next = vertex.next;
-        record.push_back(step);
-        state = vertex.next;
     }
     return record;
 }

@@ -17,6 +17,7 @@ struct PathStep {
     bool arrives = false;  ///< the light sample does
     std::optional<reference::PathState> next;
 };
+/// Of integrator direct, all rounds one after the other.
 using PathRecord = std::vector<PathStep>;
 
 /// The device's record of the renderer's range of samples of one pixel (row by row), in their order.

@@ -30,11 +30,11 @@ double finitePdf(float pdf) { return std::isinf(pdf) ? -1.0 : double{pdf}; }
 void addDirect(Parts& parts, const reference::DirectLight& direct, double magnitude) {
     if (isFaint(direct.contribution)) return;
     const glm::dvec3 way(direct.shadowRay.direction);
-    const bool infinite = std::isinf(direct.tMax);
+    const bool directional = direct.tMax != 1;  // else the ray ends at a light
     const double size = magnitude + glm::length(glm::dvec3(direct.shadowRay.origin) + way);
     parts.push_back({"shadow ray's origin", direct.shadowRay.origin, kPosition * magnitude});
-    parts.push_back(
-        {infinite ? "direction of the light" : "way to the light", way, infinite ? kDirection : kPosition * size});
+    parts.push_back({directional ? "direction of the light" : "way to the light", way,
+                     directional ? kDirection : kPosition * size});
     parts.push_back({"light sample", direct.contribution, kDimSample, kWeight});
 }
 

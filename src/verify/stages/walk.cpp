@@ -6,7 +6,9 @@
 
 #include "reference/accumulate.h"
 #include "reference/traverse.h"
+#include "registry.h"
 #include "verify/stages/shade_parts.h"
+#include "wavefront/kernels.h"
 
 namespace vkpt {
 namespace {
@@ -94,6 +96,17 @@ glm::dvec3 StageWalk::added(const StageSnapshot& now, std::uint32_t path, bool f
     return addedTo(first ? PathSums{} : sumsOf(before_, path), sumsOf(now, path));
 }
 
+/// Whether what is added now is the first that the paths have.
+bool StageWalk::beginsSums(const StageSnapshot& now) { return now.batch.bounce == 0 && now.batch.round == 0; }
+
+bool StageWalk::seesBackground() const {
+    const auto integrator = static_cast<IntegratorId>(params_.integrator);
+    const bool paths = integrator == IntegratorId::Path || integrator == IntegratorId::Direct;
+    return paths && params_.backgroundMode != kBackgroundTransparent;
+}
+
+bool StageWalk::countsSearch() const { return params_.integrator == static_cast<std::uint32_t>(IntegratorId::Cost); }
+
 void StageWalk::generate(const StageSnapshot& now) {
     before_ = now;
     Findings& f = of(Stage::Generate);
@@ -142,7 +155,7 @@ void StageWalk::intersect(const StageSnapshot& now) {
     for (std::uint32_t group = 0; group < kGroups; ++group)
         for (const std::uint32_t path : now.queue(bounce, kHitQueues[group])) {
             compare(path, true);
-            f.equal("shade groups", groupOf(paths_.hitOf(now, path)), group);
+            f.equal("shade groups", isLook(params_.integrator) ? kGroupGltf : groupOf(paths_.hitOf(now, path)), group);
         }
     for (const std::uint32_t path : missed) compare(path, false);
     compareUntouched(f, now, std::vector<bool>(now.batch.pathCount));
@@ -157,14 +170,17 @@ void StageWalk::miss(const StageSnapshot& now) {
         f.at(path);
         touched[path] = true;
         const reference::PathState state = paths_.stateOf(before_, path, bounce);
-        const Parts device = {{"contribution", added(now, path, bounce == 0)}};
+        const Parts device = {{"contribution", added(now, path, beginsSums(now))}};
         compareParts(f, "miss", device, [&](Jitter* jitter) -> Parts {
-            return {contributionPart("contribution",
-                                     paths_.tracer().miss(jitter != nullptr ? jitter->near(state) : state))};
+            glm::vec3 expected(0);
+            if (countsSearch())
+                expected = state.throughput;
+            else if (bounce > 0 || beginsSums(now))
+                expected = paths_.tracer().miss(jitter != nullptr ? jitter->near(state) : state);
+            return {contributionPart("contribution", expected)};
         });
         if (bounce > 0) continue;
-        const bool seen = params_.backgroundMode != kBackgroundTransparent;
-        f.equal("alpha", alphaOf(now, path), seen ? 1U : 0U);
+        f.equal("alpha", alphaOf(now, path), seesBackground() ? 1U : 0U);
     }
     compareUntouched(f, now, touched);
 }
@@ -194,18 +210,23 @@ void StageWalk::shade(const StageSnapshot& now) {
     for (const std::uint32_t path : before_.queue(bounce, hits)) {
         f.at(path);
         touched[path] = true;
-        DeviceVertex vertex{added(now, path, bounce == 0), {}, {}};
+        DeviceVertex vertex{added(now, path, beginsSums(now)), {}, {}};
         if (shadowOf_[path] != none) vertex.direct = shadowOf(now, shadowOf_[path]).light;
         if (goesOn[path]) vertex.next = paths_.stateOf(now, path, bounce + 1);
+        if (bounce == 0) f.equal("alpha", alphaOf(now, path), 1U);
+        shadowOf_[path] = none;
+        goesOn[path] = false;
         const reference::PathState state = paths_.stateOf(before_, path, bounce);
         const reference::Hit hit = paths_.hitOf(before_, path);
+        if (countsSearch()) {  // each renderer its own: here the film gets what kernel intersect has counted
+            f.equal("cost", glm::vec3(vertex.emitted), state.throughput);
+            f.holds("cost", state.throughput.x >= 1 && state.throughput.y >= 1, "is below one node and one triangle");
+            continue;
+        }
         compareParts(f, name, partsOf(vertex), [&](Jitter* jitter) {
             return jitter != nullptr ? partsOf(paths_.tracer().shade(jitter->near(state), jitter->near(hit)))
                                      : partsOf(paths_.tracer().shade(state, hit));
         });
-        if (bounce == 0) f.equal("alpha", alphaOf(now, path), 1U);
-        shadowOf_[path] = none;
-        goesOn[path] = false;
     }
     for (std::uint32_t path = 0; path < now.batch.pathCount; ++path) {
         f.at(path);

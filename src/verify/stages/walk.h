@@ -37,6 +37,9 @@ private:
 
     void compareQueue(Findings& findings, std::string_view name, std::vector<std::uint32_t> actual,
                       std::vector<std::uint32_t> expected);
+    [[nodiscard]] static bool beginsSums(const StageSnapshot& now);
+    [[nodiscard]] bool seesBackground() const;
+    [[nodiscard]] bool countsSearch() const;
     [[nodiscard]] std::uint32_t groupOf(const reference::Hit& hit) const;
     void compareUntouched(Findings& findings, const StageSnapshot& now, const std::vector<bool>& touched);
     [[nodiscard]] glm::dvec3 added(const StageSnapshot& now, std::uint32_t path, bool first) const;

@@ -1,0 +1,120 @@
+// Every integrator, strategy, hemisphere, pixel filter and camera against the reference: kernel by kernel from the
+// device's own state, and as films of the same random numbers.
+#include "reference/render.h"
+#include "registry.h"
+#include "scene/camera.h"
+#include "scene/pixel_filter.h"
+#include "verify/stages/walk.h"
+#include "wavefront/render_helpers.h"
+
+namespace vkpt {
+namespace {
+
+/// What a render chooses; the defaults are those of the command line.
+struct Choice {
+    IntegratorId integrator = IntegratorId::Path;
+    std::uint32_t strategy = kStrategyMisPower, hemisphere = kHemisphereBsdf;
+    std::uint32_t filter = kFilterBox, projection = kProjectionPerspective;
+    float lens = 0, beta = 2, clamp = 0;
+};
+
+RenderOptions optionsOf(const Choice& choice) {
+    RenderOptions options = makeOptions(40, 30, 1);
+    RenderParams& p = options.params;
+    p.integrator = static_cast<std::uint32_t>(choice.integrator);
+    p.strategy = choice.strategy;
+    p.hemisphere = choice.hemisphere;
+    p.beta = choice.beta;
+    p.clampIndirect = choice.clamp;
+    p.pixelFilter = choice.filter;
+    for (const FilterInfo& filter : kFilters)
+        if (filter.id == choice.filter) p.filterRadius = filter.radius;
+    setProjection(p, choice.projection, 6);
+    p.lensRadius = choice.lens;
+    p.focusDistance = 5;
+    p.aoDistance = 1.5F;
+    p.bsdfSamples = 2;
+    p.lightSamples = 3;
+    p.maxDepth = choice.integrator == IntegratorId::Direct ? 1 : 4;
+    return options;
+}
+
+std::string describe(const Choice& c) {
+    return fmt::format("{}, strategy {}, beta {}, hemisphere {}, filter {}, projection {}, lens {}, clamp {}",
+                       kIntegrators[static_cast<std::size_t>(c.integrator)].name, c.strategy, c.beta, c.hemisphere,
+                       c.filter, c.projection, c.lens, c.clamp);
+}
+
+void expectParity(const SceneArrays& scene, const Choice& choice) {
+    SCOPED_TRACE(describe(choice));
+    const RenderOptions options = optionsOf(choice);
+    WavefrontRenderer renderer(scene, options, makeConfig());
+    StageWalk walk(scene, options, "scene");
+    walk.run(renderer, 0, options.params.width * options.params.height);
+    walk.finish();
+    for (std::size_t stage = 0; stage < kStages; ++stage) {
+        const auto& wrong = walk.findings(static_cast<Stage>(stage)).disagreement();
+        EXPECT_FALSE(wrong) << kStageNames[stage] << ", " << wrong->quantity << ": " << wrong->what << "\n"
+                            << wrong->where;
+    }
+    EXPECT_EQ(renderer.validationMessages(), 0U);
+    if (choice.integrator == IntegratorId::Cost) return;  // each renderer counts its own search
+    const Film film = renderer.render({}), reference = renderReference(scene, options);
+    EXPECT_LE(divergedShare(film, reference), 0.01);
+    EXPECT_EQ(film.refused + reference.refused, 0U);
+    for (std::size_t i = 0; i < film.sums.size(); ++i) ASSERT_EQ(film.sums[i].red.w, reference.sums[i].red.w) << i;
+}
+
+TEST(Transport, StrategiesHemispheresFiltersAndCamerasEqualTheReference) {
+    const SceneArrays scene = makeEverything();
+    expectParity(scene, {.strategy = kStrategyMisBalance,
+                         .hemisphere = kHemisphereUniform,
+                         .filter = kFilterTent,
+                         .projection = kProjectionPanorama});
+    expectParity(scene, {.strategy = kStrategyBsdf, .hemisphere = kHemisphereCosine, .filter = kFilterMitchell});
+    expectParity(
+        scene,
+        {.strategy = kStrategyLight, .filter = kFilterGaussian, .projection = kProjectionOrthographic, .lens = 0.2F});
+    expectParity(scene, {.filter = kFilterBlackmanHarris, .lens = 0.1F, .beta = 1.5F, .clamp = 0.05F});
+}
+
+TEST(Transport, IntegratorsEqualTheReference) {
+    const SceneArrays scene = makeEverything();
+    for (const IntegratorInfo& integrator : kIntegrators)
+        if (integrator.id != IntegratorId::Path) expectParity(scene, {.integrator = integrator.id});
+}
+
+TEST(Transport, FullIntegratorsUnderEveryChoiceEqualTheReference) {
+    for (const bool patches : {false, true}) {
+        const SceneArrays scene = patches ? makeBsdfPatches(true) : makeEverything(true);
+        for (const IntegratorInfo& integrator : kIntegrators)
+            for (const std::uint32_t hemisphere : {kHemisphereBsdf, kHemisphereUniform, kHemisphereCosine})
+                expectParity(scene, {.integrator = integrator.id,
+                                     .hemisphere = hemisphere,
+                                     .filter = kFilterMitchell,
+                                     .projection = kProjectionPanorama});
+    }
+}
+
+TEST(Transport, FullStrategiesUnderEveryHemisphereEqualTheReference) {
+    for (const bool patches : {false, true}) {
+        const SceneArrays scene = patches ? makeBsdfPatches(true) : makeEverything(true);
+        for (const IntegratorId integrator : {IntegratorId::Path, IntegratorId::Direct})
+            for (const std::uint32_t strategy : {kStrategyMisPower, kStrategyMisBalance, kStrategyBsdf, kStrategyLight})
+                for (const std::uint32_t hemisphere : {kHemisphereBsdf, kHemisphereUniform, kHemisphereCosine})
+                    expectParity(
+                        scene,
+                        {.integrator = integrator, .strategy = strategy, .hemisphere = hemisphere, .lens = 0.1F});
+    }
+}
+
+TEST(Transport, FullFiltersAndCamerasEqualTheReference) {
+    const SceneArrays scene = makeEverything();
+    for (const FilterInfo& filter : kFilters)
+        for (const std::uint32_t projection : {kProjectionPerspective, kProjectionOrthographic, kProjectionPanorama})
+            for (const float lens : {0.0F, 0.3F})
+                expectParity(scene, {.filter = filter.id, .projection = projection, .lens = lens});
+}
+
+}  // namespace
+}  // namespace vkpt
