@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+
 #include "base/atomic_file.h"
 #include "cli/command.h"
 #include "cli/metadata.h"
 #include "cli/options.h"
+#include "compare/heat_map.h"
 #include "film/encode_film.h"
 
 namespace vkpt {
@@ -63,14 +66,29 @@ void warnOfFilm(const FilmRecord& record) {
                      devicesOf(record));
 }
 
+namespace {
+
+/// Integrator cost as PNG: nodes and triangles together, in false colours.
+Bytes encodeCost(const Image& beauty, const ImageMetadata& metadata) {
+    Image sum(beauty.width, beauty.height, 1);
+    for (std::size_t i = 0; i < sum.pixels.size(); ++i)
+        sum.pixels[i] = std::max(0.0F, beauty.pixels[4 * i] + beauty.pixels[4 * i + 1]);
+    return encodePng(heatMap(sum, {"nodes + triangles tested a ray"}), 8, metadata);
+}
+
+}  // namespace
+
 void writeFilmFiles(const FilmRecord& record, const OutputOptions& options) {
     const FilmImages images = filmImages(record.film);
     const ImageMetadata metadata = imageMetadata(record);
     WriteOptions write = options.write;
+    const bool isCost = record.settings.value("integrator", "") == "cost";
     write.display.transparent = record.settings.value("background", "") == "transparent";
     for (const auto& file : options.files) {
         if (imageFormat(file) == ImageFormat::Exr)
             writeFileAtomically(file, encodeFilm(images, record, options.film, metadata));
+        else if (isCost && imageFormat(file) == ImageFormat::Png)
+            writeFileAtomically(file, encodeCost(images.beauty, metadata));
         else
             writeImage(file, images.beauty, write, metadata);
         spdlog::info("wrote {}", file.string());

@@ -16,6 +16,7 @@
 #include "scene/environment.h"
 #include "scene/flatten.h"
 #include "scene/material_override.h"
+#include "scene/pixel_filter.h"
 
 namespace vkpt {
 namespace {
@@ -59,6 +60,8 @@ void setTransport(RenderParams& params, const SamplingOptions& sampling) {
     params.clampIndirect = sampling.clampIndirect;
     params.pixelFilter = sampling.filter.id;
     params.filterRadius = sampling.filter.radius;
+    if (sampling.aovs.has(Aov::Variance) && hasNegativeLobes(params.pixelFilter))
+        throw usageError("--aov", "variance needs a --filter that takes no light away: mitchell does");
     if (sampling.integrator != IntegratorId::Direct) return;
     params.maxDepth = std::min(params.maxDepth, 1U);
     if (std::max(params.bsdfSamples, params.lightSamples) == 0)

@@ -134,6 +134,8 @@ ExitCode runReplay(const VerifyCommand& c, const PreparedScene& prepared) {
 
 ExitCode runVerify(VerifyCommand& c) {
     setUpLog(c.verbosity);
+    if (c.sampling.integrator == IntegratorId::Cost)
+        throw usageError("--integrator", "cost is no matter for verify: each renderer counts its own search");
     const ThreadLimit limit(c.backend.threads);
     const PreparedScene prepared = prepareScene(c.scene, c.sampling);
     return c.pixel ? runReplay(c, prepared) : runLadder(c, prepared);

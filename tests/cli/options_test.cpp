@@ -71,6 +71,43 @@ TEST(Options, ArriveWhereTheyBelong) {
     EXPECT_TRUE(p.backend.validate);
 }
 
+TEST(Options, LightTransportIsPathTracingWithMisUnlessAsked) {
+    const SamplingOptions defaults = parse("a.glb").sampling;
+    EXPECT_EQ(defaults.integrator, IntegratorId::Path);
+    EXPECT_EQ(defaults.strategy, Strategy::MisPower);
+    EXPECT_EQ(defaults.beta, 2);
+    EXPECT_EQ(defaults.hemisphere, Hemisphere::Bsdf);
+    EXPECT_EQ(defaults.clampIndirect, 0);
+    EXPECT_EQ(defaults.filter.id, kFilterBox);
+    for (const IntegratorInfo& info : kIntegrators)
+        EXPECT_EQ(parse("a.glb --integrator " + std::string(info.name)).sampling.integrator, info.id);
+    for (const auto& strategy : kStrategies)
+        EXPECT_EQ(parse("a.glb --strategy " + std::string(strategy.name)).sampling.strategy, strategy.id);
+    for (const auto& hemisphere : kHemispheres)
+        EXPECT_EQ(parse("a.glb --hemisphere " + std::string(hemisphere.name)).sampling.hemisphere, hemisphere.id);
+    const SamplingOptions s = parse(
+                                  "a.glb --beta 1.5 --bsdf-samples 3 --light-samples 0 --ao-distance 0.5 "
+                                  "--clamp-indirect 8 --filter tent:2")
+                                  .sampling;
+    EXPECT_EQ(s.beta, 1.5F);
+    EXPECT_EQ(s.bsdfSamples, 3U);
+    EXPECT_EQ(s.lightSamples, 0U);
+    EXPECT_EQ(s.aoDistance, 0.5F);
+    EXPECT_EQ(s.clampIndirect, 8);
+    EXPECT_EQ(s.filter.id, kFilterTent);
+    EXPECT_EQ(s.filter.radius, 2);
+}
+
+TEST(Options, CameraHasAProjectionAndALens) {
+    const SceneOptions s = parse("a.glb --projection orthographic --ymag 2 --aperture 0.1 --focus 3").scene;
+    EXPECT_EQ(s.projection, Projection::Orthographic);
+    EXPECT_EQ(s.ymag, 2);
+    EXPECT_EQ(s.aperture, 0.1F);
+    EXPECT_EQ(s.focus, 3);
+    EXPECT_EQ(parse("a.glb --projection panorama").scene.projection, Projection::Panorama);
+    EXPECT_FALSE(parse("a.glb").scene.projection);
+}
+
 TEST(Options, FaultsNameTheOptionAndWhatItTakes) {
     try {
         (void)parse("a.glb --size big");
@@ -78,9 +115,32 @@ TEST(Options, FaultsNameTheOptionAndWhatItTakes) {
     } catch (const CLI::ParseError& error) {
         EXPECT_STREQ(error.what(), "--size: 'big' is not WxH");
     }
-    for (const char* bad : {"--spp 0", "--spp 1.5", "--seed -1", "--fov 180", "--env-strength -1", "--rr fixed:0",
-                            "--sampler halton2", "--backend gpu", "--fetch ssbo", "--nthreads 0", "--env ''",
-                            "--eye 1,1,1 --orbit 1,1,1", "--camera 0 --eye 1,1,1", "--camera 0 --target 1,1,1"})
+    for (const char* bad : {"--spp 0",
+                            "--spp 1.5",
+                            "--seed -1",
+                            "--fov 180",
+                            "--env-strength -1",
+                            "--rr fixed:0",
+                            "--sampler halton2",
+                            "--backend gpu",
+                            "--fetch ssbo",
+                            "--nthreads 0",
+                            "--env ''",
+                            "--eye 1,1,1 --orbit 1,1,1",
+                            "--camera 0 --eye 1,1,1",
+                            "--camera 0 --target 1,1,1",
+                            "--integrator bdpt",
+                            "--strategy both",
+                            "--beta -1",
+                            "--hemisphere sphere",
+                            "--bsdf-samples 1025",
+                            "--ao-distance 0",
+                            "--clamp-indirect -1",
+                            "--filter sinc",
+                            "--projection fisheye",
+                            "--ymag 0",
+                            "--aperture -1",
+                            "--focus 0"})
         EXPECT_THROW((void)parse(std::string("a.glb ") + bad), CLI::ParseError) << bad;
 }
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/pixel_filter.h"
+
 namespace vkpt {
 namespace {
 
@@ -45,6 +47,16 @@ TEST(Parse, RussianRoulette) {
     EXPECT_TRUE(parseRoulette("fixed:1"));
     for (const char* bad : {"", "fixed", "fixed:", "fixed:0", "fixed:1.1", "fixed:-1", "on"})
         EXPECT_FALSE(parseRoulette(bad)) << bad;
+}
+
+TEST(Parse, PixelFilters) {
+    for (const FilterInfo& info : kFilters) {
+        EXPECT_EQ(parseFilter(info.name)->id, info.id);
+        EXPECT_EQ(parseFilter(info.name)->radius, info.radius);
+        EXPECT_EQ(parseFilter(std::string(info.name) + ":1.25")->radius, 1.25F);
+    }
+    for (const char* bad : {"", "Box", "box:", "box:0", "tent:-1", "tent:17", "tent:1:2", ":1", "sinc"})
+        EXPECT_FALSE(parseFilter(bad)) << bad;
 }
 
 TEST(Parse, Backgrounds) {

@@ -84,6 +84,46 @@ TEST_F(SceneSetup, ContradictionsAreUsageErrors) {
     expectUsageError("--target");
 }
 
+TEST_F(SceneSetup, LensAndProjectionReachTheCamera) {
+    scene_.eye = glm::vec3(0.5F, 0.5F, 4);
+    scene_.target = glm::vec3(0.5F, 0.5F, 1);
+    scene_.fov = 90;
+    scene_.aperture = 0.25F;
+    EXPECT_EQ(prepare().options.params.lensRadius, 0.25F);
+    EXPECT_NEAR(prepare().options.params.focusDistance, 3, 1e-5) << "the target is sharp";
+    scene_.focus = 7;
+    EXPECT_EQ(prepare().options.params.focusDistance, 7);
+    scene_.projection = Projection::Orthographic;
+    EXPECT_EQ(prepare().options.params.projection, kProjectionOrthographic);
+    EXPECT_NEAR(glm::length(prepare().options.params.up), 3, 1e-5) << "as wide as the view at the target";
+    scene_.ymag = 1.5F;
+    EXPECT_NEAR(glm::length(prepare().options.params.up), 1.5, 1e-5);
+}
+
+TEST_F(SceneSetup, CamerasThatCannotBeAreUsageErrors) {
+    scene_.ymag = 1.5F;
+    expectUsageError("--ymag");
+    scene_.ymag.reset();
+    scene_.projection = Projection::Panorama;
+    scene_.aperture = 1;
+    expectUsageError("--aperture");
+}
+
+TEST_F(SceneSetup, DirectLightNeedsSamplesAndOneBounce) {
+    sampling_.integrator = IntegratorId::Direct;
+    EXPECT_EQ(prepare().options.params.maxDepth, 1U);
+    sampling_.bsdfSamples = sampling_.lightSamples = 0;
+    expectUsageError("--bsdf-samples");
+}
+
+TEST_F(SceneSetup, VarianceNeedsAFilterWithoutLobesBelowZero) {
+    sampling_.aovs.add(Aov::Variance);
+    sampling_.filter = *parseFilter("gaussian");
+    EXPECT_EQ(prepare().options.params.filterRadius, 1.5F);
+    sampling_.filter = *parseFilter("mitchell");
+    expectUsageError("--aov");
+}
+
 TEST_F(SceneSetup, MissingEnvironmentIsAFileError) {
     scene_.environment = *parseEnvironment("absent.hdr");
     EXPECT_THROW((void)prepare(), FileError);
@@ -108,6 +148,20 @@ TEST_F(SceneSetup, SettingsHashFollowsWhatAltersTheImage) {
     scene_.fov = 20;
     EXPECT_NE(hash(), before);
     scene_.fov.reset();
+    EXPECT_EQ(hash(), before);
+    const auto expectAlters = [&](auto& option, auto value) {
+        const auto kept = option;
+        option = value;
+        EXPECT_NE(hash(), before);
+        option = kept;
+    };
+    expectAlters(sampling_.integrator, IntegratorId::Ao);
+    expectAlters(sampling_.strategy, Strategy::Light);
+    expectAlters(sampling_.hemisphere, Hemisphere::Uniform);
+    expectAlters(sampling_.beta, 3.0F);
+    expectAlters(sampling_.clampIndirect, 1.0F);
+    expectAlters(sampling_.filter.radius, 1.0F);
+    expectAlters(scene_.aperture, 1.0F);
     EXPECT_EQ(hash(), before);
 }
 

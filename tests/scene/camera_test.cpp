@@ -57,6 +57,45 @@ TEST(Camera, OrbitStandsWhereDesignSays) {
     expectNear(p.eye, {1, 2, 3});
 }
 
+// What fills the window at the distance fills it in either projection.
+TEST(Camera, ProjectionsShowTheSameAtTheirDistance) {
+    RenderParams p = window(200, 100);
+    lookAt(p, {1, 2, 5}, {1, 2, 0}, 40);
+    const RenderParams perspective = p;
+    const glm::vec3 corner = p.eye + 5.0F * (p.forward + p.right + p.up);
+    setProjection(p, kProjectionOrthographic, 5);
+    EXPECT_EQ(p.projection, kProjectionOrthographic);
+    expectNear(project(p, corner), {1, 1, 5});
+    expectNear(project(perspective, corner), {1, 1, 5});
+    setProjection(p, kProjectionPerspective, 5);
+    expectNear(p.right, perspective.right);
+    expectNear(p.up, perspective.up);
+    setProjection(p, kProjectionPerspective, 9);  // is one already
+    expectNear(p.up, perspective.up);
+}
+
+TEST(Camera, PanoramaKeepsTheAxes) {
+    for (const std::uint32_t before : {kProjectionPerspective, kProjectionOrthographic}) {
+        RenderParams p = window(200, 100);
+        lookAt(p, {0, 0, 5}, {0, 0, 0}, 40);
+        setProjection(p, before, 3);
+        setProjection(p, kProjectionPanorama, 3);
+        EXPECT_EQ(p.projection, kProjectionPanorama);
+        expectNear(p.forward, {0, 0, -1});
+        expectNear(p.right, {1, 0, 0});
+        expectNear(p.up, {0, 1, 0});
+    }
+}
+
+TEST(Camera, HalfHeightKeepsTheAspectRatio) {
+    RenderParams p = window(200, 100);
+    lookAt(p, {0, 0, 5}, {0, 0, 0}, 40);
+    setProjection(p, kProjectionOrthographic, 5);
+    setHalfHeight(p, 3);
+    expectNear(p.up, {0, 3, 0});
+    expectNear(p.right, {6, 0, 0});
+}
+
 TEST(Camera, OrbitAndLookAtAgree) {
     RenderParams a = window(160, 90), b = a;
     orbit(a, 30, 75, 3, {0.5F, 1, 0}, 40);
