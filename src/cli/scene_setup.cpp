@@ -60,7 +60,8 @@ void setTransport(RenderParams& params, const SamplingOptions& sampling) {
     params.clampIndirect = sampling.clampIndirect;
     params.pixelFilter = sampling.filter.id;
     params.filterRadius = sampling.filter.radius;
-    if (sampling.aovs.has(Aov::Variance) && hasNegativeLobes(params.pixelFilter))
+    const bool takesAway = std::ranges::any_of(filterTable(params), [](const FilterCell& c) { return c.weight < 0; });
+    if (sampling.aovs.has(Aov::Variance) && takesAway)
         throw usageError("--aov", "variance needs a --filter that takes no light away: mitchell does");
     if (sampling.integrator != IntegratorId::Direct) return;
     params.maxDepth = std::min(params.maxDepth, 1U);

@@ -11,9 +11,9 @@
 namespace vkpt {
 
 struct FilterInfo {
-    std::uint32_t id;  ///< kFilter*
+    std::uint32_t id;        ///< kFilter*
     std::string_view name;
-    float radius;  ///< pixels, by default
+    float radius;            ///< pixels, by default
     std::string_view help;
 };
 
@@ -27,15 +27,11 @@ inline constexpr auto kFilters = std::to_array<FilterInfo>({
     {kFilterMitchell, "mitchell", 2, "sharpens: has lobes below 0"},
 });
 
-/// Whether it takes light away somewhere.
-[[nodiscard]] constexpr bool hasNegativeLobes(std::uint32_t filter) { return filter == kFilterMitchell; }
-
 /// Value at x, -1 to 1 over the radius, up to a factor.
 [[nodiscard]] double filterValue(std::uint32_t filter, double x);
 
-/// kFilterSteps intervals that hold equal shares of a lobe of the filter, each with mean and variance of its share: so
-/// the table has the filter's own moments up to the second, though it is flat within an interval. Weights average to 1.
-/// Empty for the box of one pixel.
+/// kFilterSteps intervals that hold the same share of the filter's magnitude; their weights average to 1. Empty for the
+/// box of one pixel.
 [[nodiscard]] std::vector<FilterCell> filterTable(const RenderParams& params);
 
 }  // namespace vkpt

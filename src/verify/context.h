@@ -4,11 +4,11 @@
 #include <memory>
 #include <optional>
 
+#include "compare/replicates.h"
 #include "gpu/device.h"
 #include "scene/render_options.h"
 #include "scene/scene_arrays.h"
 #include "verify/images/path_differences.h"
-#include "verify/images/replicates.h"
 #include "verify/prober.h"
 #include "wavefront/renderer.h"
 

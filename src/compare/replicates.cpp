@@ -1,4 +1,4 @@
-#include "verify/images/replicates.h"
+#include "compare/replicates.h"
 
 #include <algorithm>
 #include <cmath>
