@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "base/error.h"
@@ -49,7 +50,8 @@ TEST(BsdfSpec, JsonOfASpecReadsBack) {
          {"gltf:color=0.1/0.2/0.3,metallic=1,roughness=0.2", "dielectric:ior=diamond,alpha=0.2",
           "blinn_phong:normalization=lecture", "ashikhmin_shirley:exponent=3/700",
           "cook_torrance:preset=copper_plastic", "conductor:masking=smith_separable", "conductor:eta=1/2/3,k=4",
-          "torrance_sparrow:ior=1.7", "plastic:diffuse=0.2/0.4/0.6", "oren_nayar:sigma=0.3"}) {
+          "torrance_sparrow:ior=1.7", "dielectric:attenuation_color=0.1/1/0.5,attenuation_distance=3",
+          "plastic:diffuse=0.2/0.4/0.6", "oren_nayar:sigma=0.3"}) {
         const BsdfSpec spec = parseBsdfSpec(text);
         EXPECT_EQ(bsdfFromJson(bsdfToJson(spec)), spec) << text << " as " << bsdfToJson(spec).dump();
     }
@@ -67,8 +69,21 @@ TEST(BsdfSpec, FaultsNameFieldAndMend) {
     EXPECT_EQ(faultOf("conductor:alpha"), "\"alpha\": expected key=value");
     EXPECT_THAT(faultOf("{\"model\": "), HasSubstr("is no JSON at byte"));
     EXPECT_EQ(faultOf("{\"alpha\": 1}"), "model: is missing");
+    EXPECT_EQ(faultOf("dielectric:attenuation_color=0"), "attenuation_color: 0.0 is not within 1e-06 and 1");
+    EXPECT_EQ(faultOf("dielectric:attenuation_distance=0"), "attenuation_distance: 0.0 is not within 1e-06 and 1e+06");
+    EXPECT_THAT(faultOf("conductor:attenuation_distance=1"), HasSubstr("attenuation_distance: is no key of conductor"));
     EXPECT_EQ(faultOf("lambert:color=nan"), "color: \"nan\" is not within 0 and 1");
     EXPECT_THROW((void)parseBsdfSpec("@/nonexistent/spec.json"), FileError);
+}
+
+// After the distance the colour is left: exp(-absorption x distance).
+TEST(BsdfRecord, AbsorptionLeavesTheColourAfterTheDistance) {
+    const BsdfRecord tinted =
+        bsdfRecord(parseBsdfSpec("dielectric:attenuation_color=0.5/0.25/1,attenuation_distance=0.5"));
+    EXPECT_NEAR(tinted.diffuse.r, 2 * std::log(2.0), 1e-6);
+    EXPECT_NEAR(tinted.diffuse.g, 4 * std::log(2.0), 1e-6);
+    EXPECT_EQ(tinted.diffuse.b, 0);
+    EXPECT_EQ(bsdfRecord(parseBsdfSpec("dielectric")).diffuse, glm::vec3(0)) << "clear unless told otherwise";
 }
 
 TEST(BsdfRecord, MeansOfFresnelAreThePublishedOnes) {
