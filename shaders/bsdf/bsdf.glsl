@@ -1,5 +1,6 @@
 // What BSDF models take and give. Local frame, normal +z; wo and wi point away from the surface; f excludes the cosine;
 // pdf is per solid angle. wo.z > 0 everywhere; wi.z < 0 is transmission.
+#include "bsdf/hemisphere.glsl"
 
 struct BsdfSample {
     vec3 wi;

@@ -87,6 +87,8 @@ GltfChoices gltfChoices(GltfBsdf b, float cosO) {
     return GltfChoices(gltfShare(s, m + d), delta ? 0.0 : gltfShare(m, d));
 }
 
+bool isDrawnOverHemisphere(GltfBsdf b) { return kHemisphere != kHemisphereBsdf && b.alpha >= kDeltaAlpha; }
+
 // f of both lobes, without a delta lobe, and their joint pdf.
 void gltfEvaluate(GltfBsdf b, vec3 wo, vec3 wi, out vec3 f, out float pdf) {
     f = vec3(0.0);
@@ -104,9 +106,11 @@ void gltfEvaluate(GltfBsdf b, vec3 wo, vec3 wi, out vec3 f, out float pdf) {
         f += fresnelGltf(b, cosM) * (d * ggxG2(b.alpha, wo.z, wi.z) / (4.0 * wo.z * wi.z));
         pdf += choices.specular * ggxReflectionPdf(b.alpha, wo.z, wm);
     }
+    if (isDrawnOverHemisphere(b)) pdf = hemispherePdf(wi.z);
 }
 
-// Direction by lobe choice and the lobe's own map; weight 0 where the direction is invalid.
+// Direction by lobe choice and the lobe's own map; weight 0 where the direction is invalid. u.x is what choices have left
+// of uLobe.
 BsdfSample gltfSample(GltfBsdf b, vec3 wo, float uLobe, vec2 u) {
     BsdfSample s = BsdfSample(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0);
     if (wo.z <= 0.0) return s;
@@ -116,6 +120,7 @@ BsdfSample gltfSample(GltfBsdf b, vec3 wo, float uLobe, vec2 u) {
     s.wi = specular ? 2.0 * dot(wo, wm) * wm - wo : squareToCosineHemisphere(u);
     bool interreflected = uLobe - choices.specular < choices.interreflection * (1.0 - choices.specular);
     if (kMultiscatter != 0u && !specular && interreflected) s.wi = sampleInterreflection(b.alpha * b.alpha, u);
+    if (isDrawnOverHemisphere(b)) s.wi = sampleHemisphere(vec2(uLobe, u.y));
     if (s.wi.z <= 0.0) return s;
     if (specular && delta) {
         s.weight = fresnelGltf(b, wo.z) / choices.specular;

@@ -18,9 +18,6 @@ ShadingFrame makeVertexFrame(ShadingPoint p) { return p.frame; }
 
 void evaluateBsdf(GltfBsdf b, vec3 wo, vec3 wi, out vec3 f, out float pdf) { gltfEvaluate(b, wo, wi, f, pdf); }
 
-// Whether it only reflects, and not as a mirror.
-bool hasPlainLobesOnly(GltfBsdf b) { return b.alpha >= kDeltaAlpha; }
-
 // The first number of the direction chooses the lobe; what is left of it goes on. [estimator.md, step 6]
 BsdfSample sampleBsdf(GltfBsdf b, vec3 wo, float uLobe, vec2 u) {
     GltfChoices choices = gltfChoices(b, wo.z);

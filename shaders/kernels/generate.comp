@@ -9,8 +9,8 @@ struct CameraRay {
 };
 
 // Where on the film, in pixels, and in z the filter's weight.
-vec3 filmPosition(SampleId id) {
-    vec2 pixel = vec2(id.pixel & 0xffffu, id.pixel >> 16u), u = samplePath2D(id, kDimFilter);
+vec3 filmPosition(SampleId id, vec2 u) {
+    vec2 pixel = vec2(id.pixel & 0xffffu, id.pixel >> 16u);
     if (kHasFilter == 0u) return vec3(pixel + u, 1.0);
     vec2 t = float(kFilterSteps) * u, cell = floor(t), into = t - cell;
     FilterCell x = loadFilterCell(uint(cell.x)), y = loadFilterCell(uint(cell.y));
@@ -41,9 +41,11 @@ void main() {
     uint path = gl_GlobalInvocationID.x;
     if (path >= batch.pathCount) return;
     SampleId id = sampleIdOf(path);
-    vec3 film = filmPosition(id);
+    uvec2 numbers[2] = uvec2[2](uvec2(0u), uvec2(0u));   // of kDimFilter and kDimLens; in a loop as in shade.glsl
+    for (uint i = 0u; i < (kHasLens != 0u ? 2u : 1u); ++i) numbers[i] = samplerPair(id, (kDimFilter >> 1u) + i);
+    vec3 film = filmPosition(id, toUnit(numbers[0]));
     CameraRay ray = pinholeRay(film.xy);
-    if (kHasLens != 0u) ray = lensRay(ray, samplePath2D(id, kDimLens));
+    if (kHasLens != 0u) ray = lensRay(ray, toUnit(numbers[1]));
     storeStateFloat(kStateOrigin, path, vec4(ray.origin, -1.0));
     storeStateFloat(kStateDirection, path, vec4(ray.direction, 0.0));
     storeStateFloat(kStateThroughput, path, vec4(vec3(film.z), 0.0));

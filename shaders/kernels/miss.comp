@@ -24,28 +24,23 @@ vec3 environmentMet(uint path, vec4 environment) {
     return radiance * weightOfBsdfSample(loadStateFloat(kStateOrigin, path).w, pmf * environment.w);
 }
 
-// What integrators that look at surfaces say of a camera ray that meets none.
-void addNoSurface(uint path) {
-    vec3 seen = kIntegrator == kIntegratorCost ? loadStateFloat(kStateThroughput, path).xyz : vec3(0.0);
-    addContribution(path, seen, true, kMetNothing);
+// What a path adds that met nothing. `first`: of a camera ray.
+vec3 seenBeyond(uint path, bool first) {
+    vec3 throughput = loadStateFloat(kStateThroughput, path).xyz;
+    if (kIntegrator == kIntegratorCost) return throughput;
+    if (kIntegrator != kIntegratorPath && kIntegrator != kIntegratorDirect) return vec3(0.0);
+    vec4 environment = vec4(0.0);
+    if (kHasEnvironment != 0u) environment = environmentLookup(loadStateFloat(kStateDirection, path).xyz);
+    if (first) return throughput * backgroundSeen(environment.rgb);
+    return clampIndirect(environmentMet(path, environment), batch.bounce);
 }
 
 void main() {
     uint i = gl_GlobalInvocationID.x;
     if (i >= queueSize(batch.bounce, kQueueMiss)) return;
     uint path = counters[queueArray(batch.bounce, kQueueMiss) + i];
-    if (kIntegrator != kIntegratorPath && kIntegrator != kIntegratorDirect) {
-        addNoSurface(path);
-        return;
-    }
-    vec4 environment = vec4(0.0);
-    if (kHasEnvironment != 0u) environment = environmentLookup(loadStateFloat(kStateDirection, path).xyz);
-    if (batch.bounce == 0u) {
-        if (batch.round != 0u) return;   // of integrator direct: seen in the first
-        uint met = render.backgroundMode == kBackgroundTransparent ? kMetNothing : kMetBackground;
-        vec3 seen = loadStateFloat(kStateThroughput, path).xyz * backgroundSeen(environment.rgb);
-        addContribution(path, seen, true, met);
-        return;
-    }
-    addContribution(path, clampIndirect(environmentMet(path, environment), batch.bounce), false, kMetNothing);
+    bool first = batch.bounce == 0u, seesBackground = kIntegrator == kIntegratorPath || kIntegrator == kIntegratorDirect;
+    if (first && batch.round != 0u) return;   // of integrator direct: it has seen it in the first
+    bool met = first && seesBackground && render.backgroundMode != kBackgroundTransparent;
+    addContribution(path, seenBeyond(path, first), first, met ? kMetBackground : kMetNothing);
 }

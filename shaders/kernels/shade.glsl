@@ -7,7 +7,6 @@
 #include "kernels/clamp.glsl"
 #include "kernels/weights.glsl"
 #include "kernels/media.glsl"
-#include "kernels/scatter.glsl"
 #include "kernels/shadow_item.glsl"
 
 struct PathVertex {
@@ -79,7 +78,7 @@ DirectSample sampleDirect(PathVertex v) {
     DirectSample s;
     s.light = sampleLight(v.point.position, v.numbers[kDimLight / 2u]);
     s.wi = toLocal(v.frame, s.light.wi);
-    evaluateVertex(v.bsdf, v.wo, s.wi, s.f, s.pdf);
+    evaluateBsdf(v.bsdf, v.wo, s.wi, s.f, s.pdf);
     bool arrives = isOnOneSide(v.point, s.wi, s.light.wi) && maxComponent(s.light.radiance) > 0.0 && s.light.pdf > 0.0;
     if (!arrives) s.f = vec3(0.0);
     return s;
@@ -99,15 +98,15 @@ ShadowItem makeShadowItem(PathVertex v, DirectSample s) {
 }
 
 // What integrator light-probability shows.
-float lightProbability(DirectSample s) {
-    if (maxComponent(s.f) <= 0.0) return 0.0;
+float lightProbability(PathVertex v, DirectSample s) {
+    if (maxComponent(s.f) <= 0.0 || isUnlit(v)) return 0.0;
     return s.light.delta ? 1.0 : s.light.pdf / (s.light.pdf + s.pdf);
 }
 
 // Steps 6 and 7: the next segment; false where the path ends.
 bool samplePathDirection(PathVertex v, out vec3 origin, out vec3 direction, out vec4 throughput, out float pdf) {
     vec2 choices = toUnit(v.numbers[kDimLobe / 2u]);  // of a lobe; kDimRoulette: to survive
-    BsdfSample s = sampleVertex(v.bsdf, v.wo, choices.x, toUnit(v.numbers[kDimBsdf / 2u]));
+    BsdfSample s = sampleBsdf(v.bsdf, v.wo, choices.x, toUnit(v.numbers[kDimBsdf / 2u]));
     direction = toWorld(v.frame, s.wi);
     origin = leaveSurface(v.point, s.wi);
     throughput = vec4(v.throughput * s.weight / bsdfSamples(), uintBitsToFloat(mediumOf(v, s.wi)));
@@ -132,10 +131,10 @@ bool takesBsdfSample() { return kIntegrator != kIntegratorDirect || batch.round 
 
 // What the vertex itself adds to the film; later rounds of integrator direct add nothing at the first.
 void addEmission(PathVertex v, vec3 radiance) {
-    bool camera = batch.bounce == 0u, begins = kIntegrator != kIntegratorDirect || batch.round == 0u;
+    bool camera = batch.bounce == 0u, first = camera && (kIntegrator != kIntegratorDirect || batch.round == 0u);
     vec3 emission = clampIndirect(v.throughput * radiance, batch.bounce);
-    if (camera && begins) addContribution(v.path, emission, true, kMetSurface);
-    if (!camera && maxMagnitude(emission) > 0.0) addContribution(v.path, emission, false, kMetNothing);
+    if (first || (!camera && maxMagnitude(emission) > 0.0))
+        addContribution(v.path, emission, first, first ? kMetSurface : kMetNothing);
 }
 
 void main() {
@@ -148,15 +147,14 @@ void main() {
     float pdf;
     if (live) {
         v = loadPathVertex(counters[queueArray(batch.bounce, kShadeQueue) + i]);
-        if (kIntegrator == kIntegratorLightProbability) {
-            addEmission(v, vec3(isUnlit(v) ? 0.0 : lightProbability(sampleDirect(v))));
-        } else {
-            addEmission(v, emittedRadiance(v));
-            if (batch.bounce < render.maxDepth && !isUnlit(v)) {
-                if (takesLightSample()) shadow = makeShadowItem(v, sampleDirect(v));
-                lit = takesLightSample() && maxMagnitude(shadow.radiance) > 0.0;
-                scattered = samplePathDirection(v, origin, direction, throughput, pdf) && takesBsdfSample();
-            }
+        // Each of these functions is called once: drivers inline every call before they strip what constants exclude.
+        DirectSample direct = sampleDirect(v);
+        bool looks = kIntegrator == kIntegratorLightProbability;
+        addEmission(v, looks ? vec3(lightProbability(v, direct)) : emittedRadiance(v));
+        if (!looks && batch.bounce < render.maxDepth && !isUnlit(v)) {
+            shadow = makeShadowItem(v, direct);
+            lit = takesLightSample() && maxMagnitude(shadow.radiance) > 0.0;
+            scattered = samplePathDirection(v, origin, direction, throughput, pdf) && takesBsdfSample();
         }
     }
     uint shadowSlot = appendSlot(batch.bounce, kQueueShadow, lit);
