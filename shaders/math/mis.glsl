@@ -3,5 +3,5 @@
 float misWeight(float pdf, float other, float beta) {
     float ratio = other / pdf;
     if (kBeta == 1u) return 1.0 / (1.0 + ratio);
-    return 1.0 / (1.0 + (kBeta == 2u ? ratio * ratio : pow(ratio, beta)));
+    return 1.0 / (1.0 + (kBeta == 2u ? ratio * ratio : (ratio > 0.0 ? pow(ratio, beta) : 0.0)));
 }

@@ -5,9 +5,12 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 
+#include "registry.h"
+#include "scene/camera.h"
 #include "verify/ladder.h"
 #include "verify/test_context.h"
 
@@ -29,24 +32,59 @@ struct Ground {
     RenderOptions options = smallOptions();
 };
 
+/// What faults may need, and how the small scene gets it.
+struct Need {
+    std::string_view name;
+    void (*provide)(Ground&);
+};
+constexpr std::array kNeeds = {
+    Need{"fixed roulette",
+         [](Ground& g) {
+             g.options.params.rrMode = kRouletteFixed;
+             g.options.params.rrFixed = 0.6F;
+             g.options.params.rrDepth = 1;
+         }},
+    Need{"transparent background", [](Ground& g) { g.options.params.backgroundMode = kBackgroundTransparent; }},
+    Need{"orthographic camera", [](Ground& g) { g.options.params.projection = kProjectionOrthographic; }},
+    Need{"unlit material",
+         [](Ground& g) {
+             g.scene.materials[0].flags |= kMaterialUnlit;
+             g.scene.features.unlit = true;
+         }},
+    Need{"panorama", [](Ground& g) { setProjection(g.options.params, kProjectionPanorama, 1); }},
+    Need{"thin lens",
+         [](Ground& g) {
+             g.options.params.lensRadius = 0.2F;
+             g.options.params.focusDistance = 5;
+         }},
+    Need{"mitchell filter",
+         [](Ground& g) {
+             g.options.params.pixelFilter = kFilterMitchell;
+             g.options.params.filterRadius = 2;
+         }},
+    Need{"uniform hemisphere", [](Ground& g) { g.options.params.hemisphere = kHemisphereUniform; }},
+    Need{"strategy light", [](Ground& g) { g.options.params.strategy = kStrategyLight; }},
+    Need{"clamped light", [](Ground& g) { g.options.params.clampIndirect = 0.01F; }},
+    Need{"direct light of several samples",
+         [](Ground& g) {
+             g.options.params.integrator = static_cast<std::uint32_t>(IntegratorId::Direct);
+             g.options.params.maxDepth = 1;
+             g.options.params.bsdfSamples = 2;
+             g.options.params.lightSamples = 3;
+         }},
+    Need{"uniform ambient occlusion",
+         [](Ground& g) {
+             g.options.params.integrator = static_cast<std::uint32_t>(IntegratorId::Ao);
+             g.options.params.hemisphere = kHemisphereUniform;
+         }},
+};
+
 /// The small scene with what a fault needs.
-Ground setUp(const std::string& needs) {
+Ground setUp(std::string_view needs) {
     Ground setup;
-    RenderParams& p = setup.options.params;
-    if (needs == "fixed roulette") {
-        p.rrMode = kRouletteFixed;
-        p.rrFixed = 0.6F;
-        p.rrDepth = 1;
-    } else if (needs == "transparent background") {
-        p.backgroundMode = kBackgroundTransparent;
-    } else if (needs == "orthographic camera") {
-        p.projection = kProjectionOrthographic;
-    } else if (needs == "unlit material") {
-        setup.scene.materials[0].flags |= kMaterialUnlit;
-        setup.scene.features.unlit = true;
-    } else if (!needs.empty()) {
-        ADD_FAILURE() << "unknown need: " << needs;
-    }
+    const auto need = std::ranges::find(kNeeds, needs, &Need::name);
+    if (need != kNeeds.end()) need->provide(setup);
+    EXPECT_TRUE(needs.empty() || need != kNeeds.end()) << "unknown need: " << needs;
     return setup;
 }
 
@@ -163,15 +201,15 @@ TEST(Faults, AllApplyToTheSourcesAsTheyAre) {
 }
 
 TEST(FullFaults, WhatTheyNeedDoesNotDisagreeByItself) {
-    for (const char* needs : {"fixed roulette", "transparent background", "orthographic camera", "unlit material"}) {
+    for (const Need& need : kNeeds) {
         VerifyConfig config = testConfig(true);
-        const Ground setup = setUp(needs);
+        const Ground setup = setUp(need.name);
         VerifyContext context(setup.scene, setup.options, config);
         for (const Check& check : verifyChecks()) {
             if (check.rung < Rung::Stages || check.name == "every feature") continue;
             Findings findings;
             check.run(context, findings);
-            EXPECT_FALSE(findings.disagreement()) << needs << ", " << check.name;
+            EXPECT_FALSE(findings.disagreement()) << need.name << ", " << check.name;
         }
     }
 }
