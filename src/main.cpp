@@ -19,7 +19,7 @@ namespace {
 using namespace vkpt;
 
 constexpr std::array kCommands{&kRenderCommand,  &kMergeCommand, &kVerifyCommand,  &kDiffCommand, &kInfoCommand,
-                               &kDevicesCommand, &kBenchCommand, &kSamplesCommand, &kBsdfCommand};
+                               &kDevicesCommand, &kBenchCommand, &kSamplesCommand, &kBsdfCommand, &kEnvCommand};
 
 int fail(ExitCode code, const std::string& message) {
     std::fprintf(stderr, "vkpt: %s\n", message.c_str());

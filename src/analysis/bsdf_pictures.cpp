@@ -9,6 +9,7 @@
 #include "analysis/bsdf_sphere.h"
 #include "analysis/sphere_quadrature.h"
 #include "compare/false_color.h"
+#include "plot/pixels.h"
 
 namespace vkpt {
 namespace {
@@ -94,20 +95,6 @@ void drawLobePanel(Drawing& d, const Plot& plot, double angle, const std::vector
     d.line(plot.x, plot.y, plot.placeX(wo, 1.08), plot.placeY(wo, 1.08), 1, kBlack);
     d.text(plot.x, plot.y - plot.radius - 14, fmt::format("{:.0f} degrees, largest {:.3g}", angle, top), 12,
            Align::Middle);
-}
-
-/// Pixels as boxes; a run of one colour is one box.
-void drawImage(Drawing& d, const Image& image, double x, double y, double side) {
-    const double pixel = side / image.width;
-    for (std::uint32_t j = 0; j < image.height; ++j) {
-        for (std::uint32_t i = 0; i < image.width;) {
-            const float* c = image.at(i, j);
-            std::uint32_t end = i + 1;
-            while (end < image.width && std::equal(c, c + 3, image.at(end, j))) ++end;
-            d.box(x + i * pixel, y + j * pixel, (end - i) * pixel + 0.05, pixel + 0.05, {c[0], c[1], c[2]});
-            i = end;
-        }
-    }
 }
 
 /// f |cos| over the upper hemisphere, seen from above in an equal-area disk; logarithmic, four decades.

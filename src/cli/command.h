@@ -18,7 +18,7 @@ struct Command {
 };
 
 extern const Command kRenderCommand, kMergeCommand, kVerifyCommand, kDiffCommand, kInfoCommand, kDevicesCommand,
-    kBenchCommand, kSamplesCommand, kBsdfCommand;
+    kBenchCommand, kSamplesCommand, kBsdfCommand, kEnvCommand;
 
 /// A usage error of `option`, exit 64.
 inline Error usageError(const std::string& option, const std::string& fault) {

@@ -145,6 +145,26 @@ void setCamera(RenderParams& params, const Scene& scene, const SceneArrays& arra
     setLens(params, options, glm::dot(target - params.eye, params.forward));
 }
 
+/// Resolves Automatic, now that the scene is known, and says what came of it.
+EnvironmentKind resolveKind(EnvironmentKind kind, const SceneArrays& arrays) {
+    if (kind == EnvironmentKind::None && arrays.lights.empty())
+        spdlog::warn("nothing lights this scene: the picture will be black");
+    if (kind != EnvironmentKind::Automatic) return kind;
+    if (hasOwnLight(arrays)) return EnvironmentKind::None;
+    spdlog::info("the scene has no light of its own: the built-in studio lights it (see --env)");
+    return EnvironmentKind::Studio;
+}
+
+void setEnvironment(PreparedScene& prepared, EnvironmentChoice choice, std::future<EnvironmentMap> file) {
+    choice.kind = resolveKind(choice.kind, prepared.arrays);
+    prepared.environment = environmentName(choice);
+    if (choice.kind == EnvironmentKind::None) return;
+    const EnvironmentMap map = file.valid() ? file.get() : makeEnvironment(choice);
+    addEnvironment(prepared.arrays, map, prepared.envStrength, prepared.envRotation);
+}
+
+}  // namespace
+
 EnvironmentMap makeEnvironment(const EnvironmentChoice& choice) {
     switch (choice.kind) {
         case EnvironmentKind::File:
@@ -170,26 +190,6 @@ std::string environmentName(const EnvironmentChoice& choice) {
             return "none";
     }
 }
-
-/// Resolves Automatic, now that the scene is known, and says what came of it.
-EnvironmentKind resolveKind(EnvironmentKind kind, const SceneArrays& arrays) {
-    if (kind == EnvironmentKind::None && arrays.lights.empty())
-        spdlog::warn("nothing lights this scene: the picture will be black");
-    if (kind != EnvironmentKind::Automatic) return kind;
-    if (hasOwnLight(arrays)) return EnvironmentKind::None;
-    spdlog::info("the scene has no light of its own: the built-in studio lights it (see --env)");
-    return EnvironmentKind::Studio;
-}
-
-void setEnvironment(PreparedScene& prepared, EnvironmentChoice choice, std::future<EnvironmentMap> file) {
-    choice.kind = resolveKind(choice.kind, prepared.arrays);
-    prepared.environment = environmentName(choice);
-    if (choice.kind == EnvironmentKind::None) return;
-    const EnvironmentMap map = file.valid() ? file.get() : makeEnvironment(choice);
-    addEnvironment(prepared.arrays, map, prepared.envStrength, prepared.envRotation);
-}
-
-}  // namespace
 
 PreparedScene prepareScene(const SceneOptions& scene, const SamplingOptions& sampling) {
     PreparedScene prepared;

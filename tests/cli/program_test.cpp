@@ -64,6 +64,11 @@ TEST_F(Program, UsageErrorsAre64AndOneLineThatNamesTheFault) {
         {{"render", kCornellBox, "--sampler", "lhs", "--scramble", "owen"}, "--scramble"},
         {{"render", kCornellBox, "--sampler", "sobol", "--scramble", "faure"}, "owen|xor|none"},
         {{"samples", "--sampler", "nobody"}, "--sampler"},
+        {{"env"}, "FILE"},
+        {{"env", "none"}, "FILE"},
+        {{"env", "0,0,0"}, "black"},
+        {{"env", "studio", "-o", "a.bmp"}, "--output"},
+        {{"env", "studio", "--count", "0"}, "--count"},
         {{"bsdf"}, "SPEC"},
         {{"bsdf", "velvet"}, "velvet"},
         {{"bsdf", "lambert", "--compare", "lambert:color=2"}, "--compare"},
@@ -87,7 +92,7 @@ TEST_F(Program, UsageErrorsAre64AndOneLineThatNamesTheFault) {
 TEST_F(Program, HelpOfEveryCommandShowsAnExample) {
     EXPECT_EQ(run({"--help"}).code, 0);
     EXPECT_THAT(run({"--version"}).out, testing::StartsWith("vkpt "));
-    for (const char* command : {"render", "info", "devices", "bench", "diff", "samples", "bsdf"}) {
+    for (const char* command : {"render", "info", "devices", "bench", "diff", "samples", "bsdf", "env"}) {
         const RunResult r = run({command, "--help"});
         EXPECT_EQ(r.code, 0);
         EXPECT_THAT(r.out, HasSubstr(std::string("Example:\n  vkpt ") + command));
@@ -270,6 +275,18 @@ TEST_F(Program, BsdfGivesTableJsonAndPictures) {
     EXPECT_NEAR(json.at("bsdfs").at(0).at("sides").at(0).at("angles").at(0).at("energy").get<double>(), 1, 5e-3);
     EXPECT_EQ(json.at("comparison").size(), 7U);
     EXPECT_GT(image("a.png").width, 100U);
+}
+
+TEST_F(Program, EnvGivesTableJsonAndPictures) {
+    const RunResult table = run({"env", "studio", "-o", "a.svg"});
+    ASSERT_EQ(table.code, 0) << table.err;
+    EXPECT_THAT(table.out, HasSubstr("studio: 512x256"));
+    EXPECT_THAT(readText(folder_.path() / "a.svg"), testing::StartsWith("<svg"));
+    const RunResult json = run({"env", "1,2,3", "--count", "9", "--json", "-o", "a.png"});
+    ASSERT_EQ(json.code, 0) << json.err;
+    EXPECT_EQ(Json::parse(json.out).at("samples").size(), 9U);
+    EXPECT_GT(image("a.png").width, 100U);
+    EXPECT_EQ(run({"env", "absent.hdr"}).code, 4);
 }
 
 TEST_F(Program, SamplesGivesTableJsonAndPictures) {

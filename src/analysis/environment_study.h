@@ -1,0 +1,22 @@
+// An environment map as a light: where its importance lies, where samples fall, what that gains. Shown by `vkpt env`.
+#pragma once
+#include <string>
+
+#include "analysis/studies.h"
+#include "scene/environment.h"
+
+namespace vkpt {
+
+struct EnvironmentStudyRequest {
+    std::string name;
+    EnvironmentMap map;
+    SamplerChoice sampler;
+    std::uint32_t count = 256, seed = 0;  ///< directions that are drawn and shown
+    bool picture = true;
+};
+
+/// Sizes, density and the variance of one sample, by importance and uniform over the sphere, of three integrals: light
+/// from everywhere, and irradiance of surfaces that look up and towards -z. Throws Error (usage) for a black map.
+[[nodiscard]] Study studyEnvironment(const EnvironmentStudyRequest& request);
+
+}  // namespace vkpt

@@ -1,0 +1,70 @@
+// What `vkpt env` says of maps whose answers are known.
+#include "analysis/environment_study.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <random>
+
+#include "base/error.h"
+
+namespace vkpt {
+namespace {
+
+Study studyOf(EnvironmentMap map, std::uint32_t count = 64) {
+    return studyEnvironment({"map", std::move(map), SamplerChoice(SamplerId::Sobol), count, 0, true});
+}
+
+/// Speckles of a small map, black ones among them.
+EnvironmentMap speckles(std::uint32_t width, std::uint32_t height) {
+    EnvironmentMap map{width, height, {}};
+    std::mt19937 generator(5);
+    for (std::uint32_t i = 0; i < width * height; ++i)
+        map.texels.emplace_back(generator() % 3 == 0 ? 0.0F : static_cast<float>(generator() % 1000) / 100);
+    return map;
+}
+
+double number(const Study& study, int integral, const char* key) {
+    return study.json.at("integrals").at(static_cast<std::size_t>(integral)).at(key).get<double>();
+}
+
+// Under an even sky a uniform direction is all there is to draw: cos+ has variance 4 pi (2 pi / 3) / pi^2 - 1.
+TEST(EnvironmentStudy, OfAnEvenSkyIsKnown) {
+    const Study study = studyOf(constantEnvironment(glm::vec3(2)));
+    EXPECT_NEAR(number(study, 0, "value"), 8 * std::numbers::pi, 1e-4);
+    EXPECT_EQ(number(study, 0, "uniformVariance"), 0);
+    EXPECT_EQ(number(study, 0, "importanceVariance"), 0);
+    for (const int i : {1, 2}) {
+        EXPECT_NEAR(number(study, i, "value"), 2 * std::numbers::pi, 1e-3);
+        EXPECT_NEAR(number(study, i, "uniformVariance"), 5.0 / 3, 1e-3);
+        EXPECT_NEAR(number(study, i, "importanceVariance"), 5.0 / 3, 1e-3);
+    }
+}
+
+// Looked up as renderers do, over every map the density adds up to 1, its cells those of the bilinear lookup.
+TEST(EnvironmentStudy, DensityIntegratesToOne) {
+    for (const auto& [width, height] : {std::pair{5U, 3U}, {1U, 7U}, {16U, 8U}, {64U, 33U}})
+        EXPECT_NEAR(studyOf(speckles(width, height)).json.at("densityIntegral").get<double>(), 1, 1e-5)
+            << width << 'x' << height;
+}
+
+TEST(EnvironmentStudy, ImportanceGainsMostWhereLightIsSmall) {
+    EnvironmentMap sun{64, 32, std::vector<glm::vec3>(std::size_t{64} * 32, glm::vec3(0.01F))};
+    sun.texels[5 * 64 + 20] = glm::vec3(1e4F);
+    const Study study = studyOf(sun, 512);
+    EXPECT_GT(number(study, 1, "uniformVariance"), 500);
+    EXPECT_LT(number(study, 1, "importanceVariance"), 2);
+    int near = 0;  // the bilinear lookup spreads the sun over its neighbours
+    for (const Json& place : study.json.at("samples"))
+        near += std::abs(place.at(0).get<double>() - 20.5 / 64) < 1.6 / 64 &&
+                std::abs(place.at(1).get<double>() - 5.5 / 32) < 1.6 / 32;
+    EXPECT_GT(near, 500);
+    EXPECT_EQ(study.json.at("marginalCdf").size(), 32U);
+    EXPECT_EQ(study.json.at("marginalCdf").at(31).get<float>(), 1);
+    EXPECT_GT(study.drawing.shapes.size(), 600U);
+}
+
+TEST(EnvironmentStudy, ABlackMapIsRefused) { EXPECT_THROW((void)studyOf(constantEnvironment(glm::vec3(0))), Error); }
+
+}  // namespace
+}  // namespace vkpt
