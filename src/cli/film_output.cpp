@@ -28,8 +28,8 @@ void addOutputOptions(CLI::App& app, OutputOptions& options, const std::string& 
     addParsed(app, "--exposure", options.write.display.exposure, parseNumber<float>, "EV",
               "of PNG files: 1 EV doubles the light (default: 0)", kReal)
         ->group(group);
-    addParsed(app, "--tonemap", options.write.display.toneMap, nameIn(kToneMaps), namesOf(kToneMaps),
-              "of PNG files (default: neutral)")
+    addParsed(app, "--tonemap", options.toneMap, nameIn(kToneMaps), namesOf(kToneMaps),
+              "of PNG files (default: neutral; none where --integrator is not path or direct)")
         ->group(group);
     addParsed(
         app, "--bits", options.write.pngBits,
@@ -82,7 +82,9 @@ void writeFilmFiles(const FilmRecord& record, const OutputOptions& options) {
     const FilmImages images = filmImages(record.film);
     const ImageMetadata metadata = imageMetadata(record);
     WriteOptions write = options.write;
-    const bool isCost = record.settings.value("integrator", "") == "cost";
+    const std::string integrator = record.settings.value("integrator", "path");
+    const bool isCost = integrator == "cost", isLight = integrator == "path" || integrator == "direct";
+    write.display.toneMap = options.toneMap.value_or(isLight ? ToneMap::Neutral : ToneMap::None);
     write.display.transparent = record.settings.value("background", "") == "transparent";
     for (const auto& file : options.files) {
         if (imageFormat(file) == ImageFormat::Exr)

@@ -2,6 +2,7 @@
 #pragma once
 #include <CLI/App.hpp>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,8 @@ namespace vkpt {
 struct OutputOptions {
     std::vector<std::filesystem::path> files;
     WriteOptions write;
-    bool film = true;  ///< EXR files hold the exact film
+    std::optional<ToneMap> toneMap;  ///< of PNG files; else neutral for light and none for what is no light
+    bool film = true;                ///< EXR files hold the exact film
 };
 
 /// `-o`, how PNG files look, and --no-film. `whenAbsent`: what the help says of no -o.

@@ -262,6 +262,20 @@ TEST_F(Program, SampleCountsAreRoundedWithANotice) {
     EXPECT_EQ(attribute("a.exr", "vkpt:spp"), "9");
 }
 
+// A look is data: its PNG is as it is unless a tone map is asked for. That of cost is in false colours, with a scale.
+TEST_F(Program, PngOfALookIsNotToneMapped) {
+    const auto look = [&](const char* integrator, const Words& more, const char* file) {
+        Words words = {"--backend", "cpu", "--integrator", integrator, "-o", file};
+        words.insert(words.end(), more.begin(), more.end());
+        EXPECT_EQ(render(words).code, 0);
+        return image(file);
+    };
+    const Image plain = look("normal", {}, "a.png");
+    EXPECT_EQ(plain.pixels, look("normal", {"--tonemap", "none"}, "b.png").pixels);
+    EXPECT_NE(plain.pixels, look("normal", {"--tonemap", "neutral"}, "c.png").pixels);
+    EXPECT_GT(look("cost", {}, "d.png").height, plain.height);
+}
+
 TEST_F(Program, BsdfGivesTableJsonAndPictures) {
     const RunResult table = run({"bsdf", "conductor:metal=Au", "--draws", "1000", "-o", "a.svg"});
     ASSERT_EQ(table.code, 0) << table.err;
