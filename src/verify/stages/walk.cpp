@@ -220,7 +220,9 @@ void StageWalk::shade(const StageSnapshot& now) {
         const reference::Hit hit = paths_.hitOf(before_, path);
         if (countsSearch()) {  // each renderer its own: here the film gets what kernel intersect has counted
             f.equal("cost", glm::vec3(vertex.emitted), state.throughput);
-            f.holds("cost", state.throughput.x >= 1 && state.throughput.y >= 1, "is below one node and one triangle");
+            const DevicePaths::Place place = paths_.placeOf(now.batch, path);
+            const glm::vec3 counts = state.throughput / paths_.tracer().start(place.x, place.y, place.index).throughput;
+            f.holds("cost", counts.x > 0.99F && counts.y > 0.99F, "is below one node and one triangle");
             continue;
         }
         compareParts(f, name, partsOf(vertex), [&](Jitter* jitter) {
