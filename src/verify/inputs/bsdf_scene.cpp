@@ -39,8 +39,10 @@ SceneArrays makeBsdfPatches(bool multiscatter) {
         if (material.normalTexture.image < 0 && i % 2 == 0) patch.tangents.clear();
         if (i % 2 == 0) patch.colors.clear();
         const float x = 0.8F * static_cast<float>(i % 7) - 2.6F, y = 0.7F * static_cast<float>(i / 7) + 0.5F;
+        const bool absorbs = list[i].attenuationColor != glm::vec3(1);  // behind its front: that is what it shows
         addObject(scene, std::move(patch),
-                  {makeTransform({x, y, 0.5F}, 10.0F * static_cast<float>(i), {0.3F, 1, 0.1F}, glm::vec3(0.36F))});
+                  {makeTransform({x, y, 0.5F}, absorbs ? 0 : 10.0F * static_cast<float>(i), {0.3F, 1, 0.1F},
+                                 glm::vec3(0.36F))});
     }
     SceneArrays arrays = flatten(scene, {.multiscatter = multiscatter});
     finishUnderNoise(arrays, 91);
