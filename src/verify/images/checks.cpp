@@ -1,6 +1,5 @@
 #include "verify/images.h"
 
-#include "registry.h"
 #include "verify/context.h"
 #include "verify/replay.h"
 
@@ -8,12 +7,6 @@ namespace vkpt {
 namespace {
 
 constexpr double kMostPartedASegment = 0.0025;  ///< share of paths: rounding grows from bounce to bounce
-
-constexpr const char* kOwnSearch = "integrator 'cost' shows each renderer's own search: the images need not agree";
-
-bool countsSearch(const VerifyContext& context) {
-    return context.options().params.integrator == static_cast<std::uint32_t>(IntegratorId::Cost);
-}
 
 std::string_view channelName(std::uint32_t channel) { return std::string_view("RGB").substr(channel, 1); }
 
@@ -36,7 +29,6 @@ void tellMean(Findings& f, const MeanComparison& c) {
 }  // namespace
 
 void checkSameSeed(VerifyContext& context, Findings& f) {
-    if (countsSearch(context)) return f.refuse(kOwnSearch);
     const SameSeedImages& images = context.sameSeed();
     const PathDifferences& d = images.differences;
     if (d.mean(0) + d.mean(1) + d.mean(2) == 0) return f.refuse("the image is black: there is nothing to compare");
@@ -61,7 +53,6 @@ void checkSameSeed(VerifyContext& context, Findings& f) {
 }
 
 void checkOtherSeeds(VerifyContext& context, Findings& f) {
-    if (countsSearch(context)) return f.refuse(kOwnSearch);
     if (!context.options().sampler.isRandomised())
         return f.refuse(
             "this sampler gives the same numbers for every seed, so replicates would be copies: choose "
