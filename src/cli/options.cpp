@@ -99,8 +99,8 @@ void addIntegratorOptions(CLI::App& app, SamplingOptions& options) {
     addParsed(app, "--strategy", options.strategy, nameIn(kStrategies), namesOf(kStrategies),
               "how light is found: both ways, weighted, or one of them alone (default: mis-power)")
         ->group(group);
-    addParsed(app, "--beta", options.beta, numberWithin(0.0F, 64.0F), "X",
-              "exponent of mis-power (default: 2)", "a number from 0 to 64")
+    addParsed(app, "--beta", options.beta, numberWithin(0.0F, 64.0F), "X", "exponent of mis-power (default: 2)",
+              "a number from 0 to 64")
         ->group(group);
     addParsed(app, "--hemisphere", options.hemisphere, nameIn(kHemispheres), namesOf(kHemispheres),
               "how directions are drawn where nothing is a mirror or glass (default: bsdf; of ao: cosine)")

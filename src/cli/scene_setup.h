@@ -20,7 +20,7 @@ struct PreparedScene {
     SceneArrays arrays;  ///< environment and BVH included
     RenderOptions options;
     BvhStats bvh;
-    std::string environment;        ///< "none", "studio", "R,G,B" or the name of a file
+    std::string environment;  ///< "none", "studio", "R,G,B" or the name of a file
     float envRotation = 0, envStrength = 1;
     Json seconds;  ///< of each step
 };

@@ -33,13 +33,13 @@ struct BsdfSpec {
     bool metal = false;         ///< Fresnel term of a conductor
     glm::vec3 eta{1.5F}, k{0};  ///< index of refraction, its imaginary part
     glm::vec2 exponent{0};
-    bool conserving = true;  ///< blinn_phong's normalization
-    float sigma = 0;         ///< oren_nayar: radians; eon: roughness
-    float specular = 1;      ///< cook_torrance: share of the specular part
-    float weight = 1;        ///< cook_torrance: share of the distribution with alpha.x
+    bool conserving = true;         ///< blinn_phong's normalization
+    float sigma = 0;                ///< oren_nayar: radians; eon: roughness
+    float specular = 1;             ///< cook_torrance: share of the specular part
+    float weight = 1;               ///< cook_torrance: share of the distribution with alpha.x
     glm::vec3 attenuationColor{1};  ///< dielectric: what is left of white light after attenuationDistance inside
     float attenuationDistance = 1;  ///< metres
-    float metallic = 0;      ///< gltf, with color and sigma (perceptual roughness)
+    float metallic = 0;             ///< gltf, with color and sigma (perceptual roughness)
 
     bool operator==(const BsdfSpec&) const = default;
 };

@@ -11,9 +11,9 @@
 namespace vkpt {
 
 struct FilterInfo {
-    std::uint32_t id;        ///< kFilter*
+    std::uint32_t id;  ///< kFilter*
     std::string_view name;
-    float radius;            ///< pixels, by default
+    float radius;  ///< pixels, by default
     std::string_view help;
 };
 

@@ -11,12 +11,12 @@ namespace vkpt {
 
 /// What the scene holds, so that kernels can leave out what it does not.
 struct SceneFeatures {
-    bool instances = false;  ///< two-level BVH
-    bool alpha = false;      ///< some triangle is MASK or BLEND
-    std::uint32_t maps = 0;  ///< roles (kMap*) of the maps that some material has, a bit each
-    std::uint32_t mapSets = 0;  ///< sets of maps that some material has, at most
-    bool textureTransforms = false; ///< some TextureRecord is not the identity
-    bool vertexExtras = false;  ///< TEXCOORD_1 or COLOR_0
+    bool instances = false;          ///< two-level BVH
+    bool alpha = false;              ///< some triangle is MASK or BLEND
+    std::uint32_t maps = 0;          ///< roles (kMap*) of the maps that some material has, a bit each
+    std::uint32_t mapSets = 0;       ///< sets of maps that some material has, at most
+    bool textureTransforms = false;  ///< some TextureRecord is not the identity
+    bool vertexExtras = false;       ///< TEXCOORD_1 or COLOR_0
     bool triangleLights = false;
     bool texturedEmission = false;  ///< a triangle light has an emissive texture
     bool punctualLights = false;
