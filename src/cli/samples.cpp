@@ -19,10 +19,13 @@ constexpr std::uint32_t kMostPoints = 1U << 20U, kMostPairs = 1U << 14U;  ///< t
 
 enum class Mode { Points, Projections, Discrepancy, Spectrum, Convergence, RadicalInverse };
 
+using Dimensions = std::vector<std::uint32_t>;
+
 struct SamplesCommand {
     std::string samplers = "sobol";
     std::optional<ScrambleId> scramble;
     std::optional<std::uint32_t> count;
+    std::optional<Dimensions> dimensions;
     StudyRequest request;
     Mode mode = Mode::Points;
     std::uint32_t base = 2;
@@ -41,8 +44,8 @@ std::vector<std::string> split(const std::string& text) {
     return parts;
 }
 
-std::optional<std::vector<std::uint32_t>> parseDimensions(std::string_view text) {
-    std::vector<std::uint32_t> dimensions;
+std::optional<Dimensions> parseDimensions(std::string_view text) {
+    Dimensions dimensions;
     for (const std::string& part : split(std::string(text))) {
         const auto dim = parseNumber<std::uint32_t>(part);
         if (!dim) return std::nullopt;
@@ -62,11 +65,12 @@ StudiedSampler studied(const std::string& name, std::optional<ScrambleId> scramb
     return {fmt::format("{}/{}", name, scrambleName(*scramble)), chooseSampler(*id, scramble)};
 }
 
-std::vector<StudiedSampler> studiedSamplers(const SamplesCommand& c) {
+/// `plane`: two dimensions are asked for, all that Poisson disks have.
+std::vector<StudiedSampler> studiedSamplers(const SamplesCommand& c, bool plane) {
     std::vector<StudiedSampler> samplers;
     if (c.samplers == "all") {
         for (const SamplerInfo& info : kSamplers) samplers.push_back({std::string(info.name), SamplerChoice(info.id)});
-        samplers.push_back({std::string(kPoissonDisk), std::nullopt});
+        if (plane) samplers.push_back({std::string(kPoissonDisk), std::nullopt});
         return samplers;
     }
     const auto names = split(c.samplers);
@@ -128,7 +132,9 @@ Study makeStudy(const SamplesCommand& c, const StudyRequest& request) {
 ExitCode runSamples(const SamplesCommand& c) {
     StudyRequest request = c.request;
     request.count = c.count.value_or(defaultCount(c.mode));
-    if (c.mode != Mode::RadicalInverse) request.samplers = studiedSamplers(c);
+    const bool pairs = c.mode == Mode::Projections;
+    request.dimensions = c.dimensions.value_or(pairs ? Dimensions{0, 1, 2, 3, 4, 5} : Dimensions{0, 1});
+    if (c.mode != Mode::RadicalInverse) request.samplers = studiedSamplers(c, request.dimensions.size() == 2);
     check(c, request);
     const Study study = makeStudy(c, request);
     showStudy(study, c.output, c.json);
@@ -144,7 +150,8 @@ std::function<ExitCode()> setUpSamples(CLI::App& app) {
               "of those that have it; the others are as they are");
     addParsed(app, "--count", c->count, numberWithin(1U), "N", "points, rows of the table, or the most samples",
               kCount);
-    addParsed(app, "--dims", c->request.dimensions, parseDimensions, "I,J[,...]", "dimensions (default: 0,1)");
+    addParsed(app, "--dims", c->dimensions, parseDimensions, "I,J[,...]",
+              "dimensions (default: 0,1; of --projections 0 to 5)");
     addParsed(app, "--seed", c->request.seed, numberWithin(0U), "N", "another seed, other points (default: 0)", kWhole);
     app.add_flag("--grid", c->request.grid, "draw the strata");
     std::vector<CLI::Option*> modes;

@@ -310,6 +310,7 @@ TEST_F(Program, SamplesGivesTableJsonAndPictures) {
     EXPECT_THAT(table.out, HasSubstr("jittered: 16 points"));
     EXPECT_THAT(readText(folder_.path() / "a.svg"), testing::StartsWith("<svg"));
     const std::pair<Words, const char*> studies[] = {{{"--projections", "--dims", "0,1,2"}, "points"},
+                                                     {{"--projections"}, "points"},
                                                      {{"--discrepancy"}, "l2Star"},
                                                      {{"--spectrum", "--count", "64"}, "radialMean"},
                                                      {{"--convergence", "--count", "16"}, "slope"}};
