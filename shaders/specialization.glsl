@@ -46,5 +46,6 @@ layout(constant_id = 36) const uint kProjection = kProjectionPerspective;
 layout(constant_id = 37) const uint kHasFilter = 0u;       // the pixel filter has a table
 layout(constant_id = 38) const uint kHasLens = 0u;
 layout(constant_id = 39) const uint kHasMedia = 0u;        // some dielectric absorbs
+layout(constant_id = 40) const uint kHasNegativeLobes = 0u; // the pixel filter may take light away
 const bool kHasSurfaceLayers = kAlbedoWord != kNone || kNormalWord != kNone || kDepthWord != kNone ||
                                kPositionWord != kNone || kUvWord != kNone || kIdsWord != kNone;

@@ -1,8 +1,11 @@
 // The exact film: a contribution is rounded once to fixed point and added to its path's integer sums. [DESIGN]
 #include "math/fixed_point.glsl"
 
-bool isRefused(vec3 c) { return isBeyond(c, kFilmLimitBits); }
-
+// NaN, Inf, 2^40 or more; below 0 (-0 is 0), unless the pixel filter has lobes there.
+bool isRefused(vec3 c) {
+    bool negative = any(greaterThan(floatBitsToUint(c), uvec3(0x80000000u)));
+    return isBeyond(c, kFilmLimitBits) || (kHasNegativeLobes == 0u && negative);
+}
 
 // What a camera ray met, for the counts of FilmSums: a surface is counted under alpha too.
 const uint kMetNothing = 0u, kMetBackground = 1u, kMetSurface = 2u;

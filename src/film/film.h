@@ -18,7 +18,7 @@ struct Film {
     std::vector<FilmSums> sums;         ///< width x height
     FilmLayout layout;                  ///< of `layers`
     std::vector<uvec4> layers;          ///< width x height x layout.words(), pixel by pixel
-    std::uint64_t refused = 0;          ///< contributions that were NaN, infinite or out of range
+    std::uint64_t refused = 0;          ///< contributions that were NaN, infinite, out of range or wrongly below 0
     std::uint64_t refusedInLayers = 0;  ///< values of layers that were NaN, infinite or out of range
 
     Film() = default;

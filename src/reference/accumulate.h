@@ -64,10 +64,10 @@ inline void addSums(FilmSums& pixel, const FilmSums& path) {
 }
 
 /// Adds one contribution in nits, rounded once. Refuses it whole, returning false, where the magnitude of a channel is
-/// NaN or not below kContributionLimit.
-[[nodiscard]] inline bool addContribution(FilmSums& sums, const vec3& contribution) {
+/// NaN or not below kContributionLimit; or where it is below 0, unless `mayTakeAway`, as some pixel filters do.
+[[nodiscard]] inline bool addContribution(FilmSums& sums, const vec3& contribution, bool mayTakeAway) {
     for (int i = 0; i < 3; ++i) {
-        if (!(std::abs(contribution[i]) < kContributionLimit)) return false;
+        if (!(std::abs(contribution[i]) < kContributionLimit) || (contribution[i] < 0 && !mayTakeAway)) return false;
     }
     addFixedPoint(sums.red, toSignedFixedPoint(contribution.x));
     addFixedPoint(sums.green, toSignedFixedPoint(contribution.y));

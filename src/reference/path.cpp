@@ -12,21 +12,17 @@
 
 namespace vkpt::reference {
 
-namespace {
-
-void add(PathTally& tally, const glm::vec3& contribution) {
-    if (isBlack(contribution)) return;
-    if (!addContribution(tally.sums, contribution)) ++tally.refused;
-}
-
-}  // namespace
-
 PathTracer::PathTracer(const SceneArrays& scene, const RenderOptions& options)
     : scene_(scene),
       params_(options.params),
       transport_(scene, options.params),
       bits_(samplerBits(options.sampler)),
       filter_(filterTable(options.params)) {}
+
+void PathTracer::add(PathTally& tally, const glm::vec3& contribution) const {
+    if (isBlack(contribution)) return;
+    if (!addContribution(tally.sums, contribution, hasNegativeLobes(params_.pixelFilter))) ++tally.refused;
+}
 
 std::uint32_t PathTracer::rounds() const {
     const Heuristic& h = transport_.heuristic;

@@ -44,6 +44,7 @@ public:
     [[nodiscard]] bool isOccluded(const PathState& state, const DirectLight& direct) const;
 
 private:
+    void add(PathTally& tally, const glm::vec3& contribution) const;
     void countCameraRay(PathTally& tally, const PathState& camera, const std::optional<Hit>& hit) const;
     void follow(std::optional<PathState> state, std::optional<Hit> hit, PathTally& tally) const;
 

@@ -106,8 +106,6 @@ double filterValue(std::uint32_t filter, double x) {
     }
 }
 
-/// Shares are of a lobe of one sign, and flattened: so the table has the filter's own moments up to the second, though
-/// it is flat within an interval.
 std::vector<FilterCell> filterTable(const RenderParams& params) {
     if (params.pixelFilter == kFilterBox && params.filterRadius == 0.5F) return {};
     const std::vector<Lobe> lobes = lobesOf(params.pixelFilter);

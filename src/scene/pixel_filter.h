@@ -27,11 +27,15 @@ inline constexpr auto kFilters = std::to_array<FilterInfo>({
     {kFilterMitchell, "mitchell", 2, "sharpens: has lobes below 0"},
 });
 
+/// Whether it takes light away somewhere.
+[[nodiscard]] constexpr bool hasNegativeLobes(std::uint32_t filter) { return filter == kFilterMitchell; }
+
 /// Value at x, -1 to 1 over the radius, up to a factor.
 [[nodiscard]] double filterValue(std::uint32_t filter, double x);
 
-/// kFilterSteps intervals that hold the same share of the filter's magnitude; their weights average to 1. Empty for the
-/// box of one pixel.
+/// kFilterSteps intervals to draw from evenly, all alike. Each stands for a share of a lobe of one sign, with its mean
+/// and variance: so the table has the filter's own moments up to the second, though it is flat within an interval. The
+/// weights average to 1. Empty for the box of one pixel.
 [[nodiscard]] std::vector<FilterCell> filterTable(const RenderParams& params);
 
 }  // namespace vkpt

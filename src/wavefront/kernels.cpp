@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "registry.h"
+#include "scene/pixel_filter.h"
 #include "wavefront/layout.h"
 
 namespace vkpt {
@@ -66,10 +67,11 @@ std::vector<std::uint32_t> specializationOf(const SceneFeatures& f, const SceneH
             p.projection,
             header.filterTable != kNone,
             p.lensRadius > 0 && p.projection != kProjectionPanorama,
-            f.media};
+            f.media,
+            hasNegativeLobes(p.pixelFilter)};
 }
 
-bool isLook(std::uint32_t integrator) {
+bool needsNoBsdf(std::uint32_t integrator) {
     switch (static_cast<IntegratorId>(integrator)) {
         case IntegratorId::Path:
         case IntegratorId::Direct:
@@ -81,7 +83,7 @@ bool isLook(std::uint32_t integrator) {
 }
 
 std::uint32_t shadeGroupsOf(std::uint32_t bsdfModels, std::uint32_t integrator) {
-    if (isLook(integrator)) return 1U << kGroupGltf;
+    if (needsNoBsdf(integrator)) return 1U << kGroupGltf;
     std::uint32_t groups = 0;
     for (const BsdfModelInfo& model : kBsdfModels)
         if ((bsdfModels >> static_cast<std::uint32_t>(model.id) & 1U) != 0)
@@ -98,7 +100,7 @@ WavefrontKernels::WavefrontKernels(Device& device, const SpirvSource& spirv, con
     const std::string form = options.useBallot ? "" : "_portable";
     generate = make("generate");
     intersect = make("intersect" + form);
-    const bool look = isLook(options.params.integrator);
+    const bool look = needsNoBsdf(options.params.integrator);
     for (std::size_t group = 0; group < shade.size(); ++group)
         if ((shadeGroupsOf(features.bsdfModels, options.params.integrator) >> group & 1U) != 0)
             shade[group].emplace(

@@ -42,7 +42,7 @@ struct KernelOptions {
                                                           const KernelOptions& options);
 
 /// Whether an integrator asks nothing of BSDFs: kernel look then shades every hit.
-[[nodiscard]] bool isLook(std::uint32_t integrator);
+[[nodiscard]] bool needsNoBsdf(std::uint32_t integrator);
 
 /// Shade groups (kGroup*) that hits are sorted into, a bit each: those of a set of BSDF models, or kGroupGltf alone
 /// for looks.

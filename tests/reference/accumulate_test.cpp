@@ -32,7 +32,7 @@ TEST(ToFixedPoint, RoundsHalvesUpAndKeepsWhatIsBelowThemOut) {
 TEST(AddContribution, CarriesThroughAllWordsAndLeavesAlphaAlone) {
     FilmSums sums{};
     sums.red = {0xffffffffU, 0xffffffffU, 7, 42};
-    ASSERT_TRUE(addContribution(sums, {0x1p-48F, 0, 2}));
+    ASSERT_TRUE(addContribution(sums, {0x1p-48F, 0, 2}, false));
     EXPECT_EQ(sums.red, uvec4(0, 0, 8, 42));
     EXPECT_EQ(sums.green, uvec4(0));
     EXPECT_EQ(sums.blue, uvec4(0, 0x20000U, 0, 0));
@@ -44,27 +44,30 @@ TEST(AddContribution, TakesAwayWhatIsBelowZero) {
     for (const float value : values) {
         FilmSums sums{};
         sums.blue = {5, 6, 7, 42};
-        ASSERT_TRUE(addContribution(sums, {-value, 0, value}));
+        ASSERT_TRUE(addContribution(sums, {-value, 0, value}, true));
         EXPECT_NE(sums.red, uvec4(0));
         EXPECT_FALSE(pathLuminance(sums)) << value;
-        ASSERT_TRUE(addContribution(sums, {value, 0, -value}));
+        ASSERT_TRUE(addContribution(sums, {value, 0, -value}, true));
         EXPECT_EQ(sums.red, uvec4(0)) << value;
         EXPECT_EQ(sums.blue, uvec4(5, 6, 7, 42)) << value;
     }
 }
 
-TEST(AddContribution, RefusesWholeWhatIsNotARadiance) {
-    const float bad[] = {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 0x1p40F,
-                         -0x1p40F, -std::numeric_limits<float>::infinity()};
-    for (const float value : bad) {
-        for (int channel = 0; channel < 3; ++channel) {
-            FilmSums sums{};
-            vec3 contribution(1);
-            contribution[channel] = value;
-            EXPECT_FALSE(addContribution(sums, contribution)) << value;
-            EXPECT_EQ(sums.red + sums.green + sums.blue, uvec4(0));
-        }
+void expectRefused(float value, bool mayTakeAway) {
+    for (int channel = 0; channel < 3; ++channel) {
+        FilmSums sums{};
+        vec3 contribution(1);
+        contribution[channel] = value;
+        EXPECT_FALSE(addContribution(sums, contribution, mayTakeAway)) << value;
+        EXPECT_EQ(sums.red + sums.green + sums.blue, uvec4(0));
     }
+}
+
+TEST(AddContribution, RefusesWholeWhatIsNotARadiance) {
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    for (const float value : {std::numeric_limits<float>::quiet_NaN(), kInfinity, -kInfinity, 0x1p40F, -0x1p40F})
+        for (const bool mayTakeAway : {false, true}) expectRefused(value, mayTakeAway);
+    for (const float value : {-1e-20F, -1.0F, -std::numeric_limits<float>::denorm_min()}) expectRefused(value, false);
 }
 
 }  // namespace

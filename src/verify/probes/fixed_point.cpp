@@ -5,9 +5,11 @@
 
 #include "gpu/transfer.h"
 #include "reference/accumulate.h"
+#include "scene/pixel_filter.h"
 #include "verify/context.h"
 #include "verify/inputs/random_inputs.h"
 #include "verify/probes.h"
+#include "wavefront/kernels.h"
 
 namespace vkpt {
 namespace {
@@ -30,14 +32,23 @@ struct Result {
     std::uint32_t refused;
 };
 
-Result run(Prober& prober, const std::vector<In>& inputs) {
+/// `filter`: the pixel filter, which may take light away.
+Result run(Prober& prober, const std::vector<In>& inputs, std::uint32_t filter = kFilterBox) {
     const std::vector<std::uint32_t> zero(4);
     const Buffer counters = makeStorage<std::uint32_t>(prober.device(), zero, "refused");
+    KernelOptions kernel;
+    kernel.params.pixelFilter = filter;
     ProbeOptions options;
+    options.specialization = specializationOf({}, {}, kernel);
     options.extraKinds = {BindingKind::StorageBuffer};
     options.extra = {counters};
     auto out = prober.evaluate<Out>("fixed_point", inputs, options);
     return {std::move(out), readStorage<std::uint32_t>(prober.device(), counters, 0, 1)[0]};
+}
+
+/// Names inputs by their colours.
+auto colorsOf(Findings& findings, const std::vector<In>& inputs) {
+    return findings.inputs([&](std::size_t i) { return "addContribution of " + show(inputs[i].color); });
 }
 
 /// floor(value x 2^48 + 1/2) of 0 <= value < 2^40.
@@ -78,7 +89,7 @@ void compareRounding(Prober& prober, Findings& findings) {
         inputs.push_back(
             {.color = {values[i], values[(i * 7 + 3) % values.size()], 0.25F}, .met = static_cast<float>(i % 3)});
     const auto [out, refused] = run(prober, inputs);
-    const auto scope = findings.inputs([&](std::size_t i) { return "addContribution of " + show(inputs[i].color); });
+    const auto scope = colorsOf(findings, inputs);
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         findings.at(i);
         for (int c = 0; c < 3; ++c) {
@@ -134,8 +145,8 @@ void compareNegative(Prober& prober, Findings& findings) {
         if (i % 2 == 1) in.sums[0] = in.sums[1] = in.sums[2] = {7, 0, 0xffffffffU - static_cast<std::uint32_t>(i), 0};
         inputs.push_back(in);
     }
-    const auto [out, refused] = run(prober, inputs);
-    const auto scope = findings.inputs([&](std::size_t i) { return "addContribution of " + show(inputs[i].color); });
+    const auto [out, refused] = run(prober, inputs, kFilterMitchell);
+    const auto scope = colorsOf(findings, inputs);
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         findings.at(i);
         for (int c = 0; c < 3; ++c) {
@@ -148,20 +159,23 @@ void compareNegative(Prober& prober, Findings& findings) {
     findings.equal("count of refusals", refused, 0U);
 }
 
-/// A contribution that is not finite or too large in any channel changes nothing and counts once.
-void compareRefusals(Prober& prober, Findings& findings) {
+/// A contribution that is not finite or too large in any channel, or below 0 where the filter is not, changes nothing
+/// and counts once.
+void compareRefusals(Prober& prober, Findings& findings, std::uint32_t filter) {
     const float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
-    const std::vector<float> bad = {nan,
-                                    -nan,
-                                    std::bit_cast<float>(0x7f800001U),
-                                    std::bit_cast<float>(0xffffffffU),
-                                    inf,
-                                    -inf,
-                                    -1e30F,
-                                    -0x1p40F,
-                                    0x1p40F,
-                                    0x1p41F,
-                                    std::numeric_limits<float>::max()};
+    std::vector<float> bad = {nan,
+                              -nan,
+                              std::bit_cast<float>(0x7f800001U),
+                              std::bit_cast<float>(0xffffffffU),
+                              inf,
+                              -inf,
+                              -1e30F,
+                              -0x1p40F,
+                              0x1p40F,
+                              0x1p41F,
+                              std::numeric_limits<float>::max()};
+    const bool mayTakeAway = hasNegativeLobes(filter);
+    if (!mayTakeAway) bad.insert(bad.end(), {-1, -0x1p-149F, -0x1p-60F});
     std::vector<In> inputs;
     for (const float value : bad)
         for (int channel = 0; channel < 4; ++channel) {
@@ -170,8 +184,8 @@ void compareRefusals(Prober& prober, Findings& findings) {
             if (channel < 3) in.color[channel] = value;
             inputs.push_back(in);
         }
-    const auto [out, refused] = run(prober, inputs);
-    const auto scope = findings.inputs([&](std::size_t i) { return "addContribution of " + show(inputs[i].color); });
+    const auto [out, refused] = run(prober, inputs, filter);
+    const auto scope = colorsOf(findings, inputs);
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         findings.at(i);
         findings.equal("isRefused", out[i].refused, 1U);
@@ -179,7 +193,8 @@ void compareRefusals(Prober& prober, Findings& findings) {
             findings.equal("sum after a refusal", glm::uvec3(out[i].sums[c]), glm::uvec3(inputs[i].sums[c]));
         findings.equal("alpha", out[i].sums[0].w, 5U);  // the path still met something
         FilmSums sums{};
-        findings.holds("the reference's refusal", !reference::addContribution(sums, inputs[i].color), "it accepts");
+        findings.holds("the reference's refusal", !reference::addContribution(sums, inputs[i].color, mayTakeAway),
+                       "it accepts");
     }
     findings.equal("count of refusals", refused, inputs.size());
 }
@@ -193,7 +208,7 @@ void compareMinusZero(Prober& prober, Findings& findings) {
     findings.equal("sum", glm::uvec3(out[0].sums[0]), glm::uvec3(0));
     findings.equal("sum", glm::uvec3(out[0].sums[1]), wordsOf(exactFixedPoint(1)));
     FilmSums sums{};
-    findings.holds("the reference's refusal", reference::addContribution(sums, inputs[0].color), "it refuses");
+    findings.holds("the reference's refusal", reference::addContribution(sums, inputs[0].color, false), "it refuses");
 }
 
 }  // namespace
@@ -202,7 +217,8 @@ void checkFixedPoint(VerifyContext& context, Findings& findings) {
     compareRounding(context.prober(), findings);
     compareCarries(context.prober(), findings);
     compareNegative(context.prober(), findings);
-    compareRefusals(context.prober(), findings);
+    for (const std::uint32_t filter : {kFilterGaussian, kFilterMitchell})
+        compareRefusals(context.prober(), findings, filter);
     compareMinusZero(context.prober(), findings);
 }
 

@@ -23,7 +23,7 @@ std::uint32_t expectedBeta(const RenderParams& p) {
 }
 
 /// All constants by name, in the order in which the probe writes them.
-std::array<Named, 40> namesAndValues(const Constants& c) {
+std::array<Named, 41> namesAndValues(const Constants& c) {
     const auto& [f, h, o] = c;
     const auto flag = [](bool b) { return b ? 1U : 0U; };
     return {Named{"kSampler", static_cast<std::uint32_t>(o.sampler.id)},
@@ -65,7 +65,8 @@ std::array<Named, 40> namesAndValues(const Constants& c) {
             {"kProjection", o.params.projection},
             {"kHasFilter", flag(h.filterTable != kNone)},
             {"kHasLens", flag(o.params.lensRadius > 0 && o.params.projection != kProjectionPanorama)},
-            {"kHasMedia", flag(f.media)}};
+            {"kHasMedia", flag(f.media)},
+            {"kHasNegativeLobes", flag(o.params.pixelFilter == kFilterMitchell)}};
 }
 
 /// Round `bit` of a set in which no two flags are the same in all rounds; the numbers differ in any.
@@ -92,21 +93,23 @@ Constants makeConstants(std::uint32_t bit) {
     p.strategy = bit == 3 ? kStrategyMisBalance : kStrategyMisPower;
     p.beta = bit == 0 ? 1.5F : static_cast<float>(bit);
     p.hemisphere = bit % 2 == 0 ? kHemisphereUniform : kHemisphereCosine;
-    p.projection = bit % 2 == 0 ? kProjectionPanorama : kProjectionOrthographic;  // the former without a lens
-    p.lensRadius = bit < 2 ? 0.25F : 0;
-    h.filterTable = bit % 2 == 0 ? kNone : 3;
+    const auto next = [&] { return (++number >> bit & 1U) != 0; };
+    p.lensRadius = 0.25F;
+    p.projection = next() ? kProjectionOrthographic : kProjectionPanorama;  // the latter without a lens
+    h.filterTable = next() ? 3 : kNone;
+    p.pixelFilter = next() ? kFilterMitchell : kFilterGaussian;
     return c;
 }
 
 }  // namespace
 
 void checkSpecialization(VerifyContext& context, Findings& findings) {
-    constexpr std::uint32_t kRounds = 4;  // 14 flags
+    constexpr std::uint32_t kRounds = 5;  // 17 flags
     for (std::uint32_t round = 0; round < kRounds; ++round) {
         const Constants constants = makeConstants(round);
         ProbeOptions options;
         options.specialization = specializationOf(constants.features, constants.header, constants.options);
-        const auto read = context.prober().evaluate<std::array<std::uint32_t, 40>>(
+        const auto read = context.prober().evaluate<std::array<std::uint32_t, 44>>(
             "specialization", std::vector<glm::uvec4>(1), options)[0];
         const auto expected = namesAndValues(constants);
         const auto scope = findings.inputs([&](std::size_t i) { return std::string(expected[i].first); });

@@ -5,8 +5,10 @@
 #include <numeric>
 
 #include "reference/accumulate.h"
+#include "reference/looks.h"
 #include "reference/traverse.h"
 #include "registry.h"
+#include "scene/pixel_filter.h"
 #include "verify/stages/shade_parts.h"
 #include "wavefront/kernels.h"
 
@@ -100,9 +102,7 @@ glm::dvec3 StageWalk::added(const StageSnapshot& now, std::uint32_t path, bool f
 bool StageWalk::beginsSums(const StageSnapshot& now) { return now.batch.bounce == 0 && now.batch.round == 0; }
 
 bool StageWalk::seesBackground() const {
-    const auto integrator = static_cast<IntegratorId>(params_.integrator);
-    const bool paths = integrator == IntegratorId::Path || integrator == IntegratorId::Direct;
-    return paths && params_.backgroundMode != kBackgroundTransparent;
+    return !reference::isLook(params_.integrator) && params_.backgroundMode != kBackgroundTransparent;
 }
 
 bool StageWalk::countsSearch() const { return params_.integrator == static_cast<std::uint32_t>(IntegratorId::Cost); }
@@ -155,7 +155,8 @@ void StageWalk::intersect(const StageSnapshot& now) {
     for (std::uint32_t group = 0; group < kGroups; ++group)
         for (const std::uint32_t path : now.queue(bounce, kHitQueues[group])) {
             compare(path, true);
-            f.equal("shade groups", isLook(params_.integrator) ? kGroupGltf : groupOf(paths_.hitOf(now, path)), group);
+            f.equal("shade groups", needsNoBsdf(params_.integrator) ? kGroupGltf : groupOf(paths_.hitOf(now, path)),
+                    group);
         }
     for (const std::uint32_t path : missed) compare(path, false);
     compareUntouched(f, now, std::vector<bool>(now.batch.pathCount));
@@ -247,7 +248,7 @@ void StageWalk::shadow(const StageSnapshot& now) {
         f.at(path);
         touched[path] = true;
         FilmSums sums{};
-        if (!reference::addContribution(sums, light.contribution)) continue;
+        if (!reference::addContribution(sums, light.contribution, hasNegativeLobes(params_.pixelFilter))) continue;
         const PathSums whole = {U128{sums.red.x} | U128{sums.red.y} << 32U | U128{sums.red.z} << 64U,
                                 U128{sums.green.x} | U128{sums.green.y} << 32U | U128{sums.green.z} << 64U,
                                 U128{sums.blue.x} | U128{sums.blue.y} << 32U | U128{sums.blue.z} << 64U};
