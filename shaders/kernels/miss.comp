@@ -8,6 +8,9 @@
 #include "kernels/weights.glsl"
 #include "kernels/media.glsl"
 
+// Looks see nothing behind surfaces.
+bool seesBackground() { return kIntegrator == kIntegratorPath || kIntegrator == kIntegratorDirect; }
+
 // What a camera ray sees behind everything.
 vec3 backgroundSeen(vec3 environment) {
     if (render.backgroundMode == kBackgroundColor) return render.background;
@@ -28,7 +31,7 @@ vec3 environmentMet(uint path, vec4 environment) {
 vec3 seenBeyond(uint path, bool first) {
     vec3 throughput = loadStateFloat(kStateThroughput, path).xyz;
     if (kIntegrator == kIntegratorCost) return throughput;
-    if (kIntegrator != kIntegratorPath && kIntegrator != kIntegratorDirect) return vec3(0.0);
+    if (!seesBackground()) return vec3(0.0);
     vec4 environment = vec4(0.0);
     if (kHasEnvironment != 0u) environment = environmentLookup(loadStateFloat(kStateDirection, path).xyz);
     if (first) return throughput * backgroundSeen(environment.rgb);
@@ -39,8 +42,8 @@ void main() {
     uint i = gl_GlobalInvocationID.x;
     if (i >= queueSize(batch.bounce, kQueueMiss)) return;
     uint path = counters[queueArray(batch.bounce, kQueueMiss) + i];
-    bool first = batch.bounce == 0u, seesBackground = kIntegrator == kIntegratorPath || kIntegrator == kIntegratorDirect;
+    bool first = batch.bounce == 0u;
     if (first && batch.round != 0u) return;   // of integrator direct: it has seen it in the first
-    bool met = first && seesBackground && render.backgroundMode != kBackgroundTransparent;
+    bool met = first && seesBackground() && render.backgroundMode != kBackgroundTransparent;
     addContribution(path, seenBeyond(path, first), first, met ? kMetBackground : kMetNothing);
 }

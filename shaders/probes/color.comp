@@ -1,5 +1,6 @@
 #version 460
-// In: a colour; two densities and the heuristic's exponent. Out: its linear form and luminance; largest component, MIS weight of the densities.
+// In: a colour; two densities and the heuristic's exponent. Out: its linear form and luminance; largest component, MIS
+// weight of the densities.
 #extension GL_GOOGLE_include_directive : require
 const uint kInputWords = 2u, kOutputWords = 2u;
 #include "probes/probe.glsl"

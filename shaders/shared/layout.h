@@ -176,7 +176,7 @@ struct RenderParams {
     vec3 background;     // what camera rays see where nothing is, if backgroundMode is kBackgroundColor
     uint backgroundMode; // kBackground*
     uint spp;            // N of the whole render: samplers that need a fixed count know it
-    uint maxDepth;       // 0: emission only, 1: direct light too; of integrator direct at most 1
+    uint maxDepth;       // 0: emission only, 1: direct light too
     uint rrMode;         // kRoulette*
     uint rrDepth;        // Russian roulette begins after this many scatterings
     float rrFixed;       // survival probability of kRouletteFixed

@@ -94,7 +94,7 @@ std::string scrambleHelp() {
 void addIntegratorOptions(CLI::App& app, SamplingOptions& options) {
     const char* group = "Light transport";
     addParsed(app, "--integrator", options.integrator, nameIn(kIntegrators), namesOf(kIntegrators),
-              "what is computed (default: path)")
+              fmt::format("what is computed (default: path). {}", helpOf(kIntegrators)))
         ->group(group);
     addParsed(app, "--strategy", options.strategy, nameIn(kStrategies), namesOf(kStrategies),
               "how light is found: both ways, weighted, or one of them alone (default: mis-power)")
@@ -119,7 +119,7 @@ void addIntegratorOptions(CLI::App& app, SamplingOptions& options) {
               "a number, 0 or above")
         ->group(group);
     addParsed(app, "--filter", options.filter, parseFilter, "NAME[:RADIUS]",
-              fmt::format("pixel filter, with its radius in pixels: {} (default: box)", namesOf(kFilters)),
+              fmt::format("pixel filter, with its radius in pixels (default: box). {}", helpOf(kFilters)),
               fmt::format("one of {}, with a radius above 0 to 16", namesOf(kFilters)))
         ->group(group);
 }
@@ -163,7 +163,7 @@ void addSamplingOptions(CLI::App& app, SamplingOptions& options) {
     addParsed(app, "--seed", options.seed, numberWithin(0U), "N", "another seed gives other noise (default: 0)", kWhole)
         ->group(group);
     addParsed(app, "--sampler", options.sampler, nameIn(kSamplers), namesOf(kSamplers),
-              "where random numbers come from (default: sobol)")
+              fmt::format("where random numbers come from (default: sobol). {}", helpOf(kSamplers)))
         ->group(group);
     addParsed(app, "--scramble", options.scramble, nameIn(kScrambles), namesOf(kScrambles),
               "how its numbers are scrambled, the default first: " + scrambleHelp())
@@ -181,9 +181,8 @@ void addSamplingOptions(CLI::App& app, SamplingOptions& options) {
 }
 
 void addAovs(CLI::App& app, SamplingOptions& options) {
-    std::string help = "layers beside the picture, with commas between: ";
-    for (const AovInfo& aov : kAovs) help += fmt::format("{}{}", aov.id == kAovs.front().id ? "" : ", ", aov.name);
-    addParsed(app, "--aov", options.aovs, parseAovs, "LIST|all|none", help + " (default: none)",
+    addParsed(app, "--aov", options.aovs, parseAovs, "LIST|all|none",
+              fmt::format("layers beside the picture, with commas between (default: none). {}", helpOf(kAovs)),
               "a list of layers, see --help")
         ->group("Sampling");
 }

@@ -160,4 +160,12 @@ std::string namesOf(const Table& table) {
     return names;
 }
 
+/// "path: path tracing; direct: ...": of a table with fields `name` and `help`.
+template <class Table>
+std::string helpOf(const Table& table) {
+    std::string text;
+    for (const auto& entry : table) text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", entry.name, entry.help);
+    return text;
+}
+
 }  // namespace vkpt

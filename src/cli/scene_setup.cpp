@@ -60,12 +60,9 @@ void setTransport(RenderParams& params, const SamplingOptions& sampling) {
     params.clampIndirect = sampling.clampIndirect;
     params.pixelFilter = sampling.filter.id;
     params.filterRadius = sampling.filter.radius;
-    const bool takesAway = std::ranges::any_of(filterTable(params), [](const FilterCell& c) { return c.weight < 0; });
-    if (sampling.aovs.has(Aov::Variance) && takesAway)
+    if (sampling.aovs.has(Aov::Variance) && hasNegativeLobes(params.pixelFilter))
         throw usageError("--aov", "variance needs a --filter that takes no light away: mitchell does");
-    if (sampling.integrator != IntegratorId::Direct) return;
-    params.maxDepth = std::min(params.maxDepth, 1U);
-    if (std::max(params.bsdfSamples, params.lightSamples) == 0)
+    if (sampling.integrator == IntegratorId::Direct && std::max(params.bsdfSamples, params.lightSamples) == 0)
         throw usageError("--bsdf-samples", "and --light-samples are both 0: nothing would be computed");
 }
 

@@ -5,6 +5,7 @@
 #include "dimensions.h"
 #include "reference/hemisphere.h"
 #include "reference/medium.h"
+#include "scene/render_options.h"
 
 namespace vkpt::reference {
 
@@ -48,7 +49,7 @@ PathVertex Surface::shade() const {
     vertex.point = point_;
     vertex.material = materialIndex();
     if (state_.bounce > 0 || state_.round == 0) vertex.emitted = emitted();                 // 3
-    if (isUnlit() || state_.bounce == params_.maxDepth) return vertex;                      // 4
+    if (isUnlit() || state_.bounce == pathDepth(params_)) return vertex;                    // 4
     if (state_.round < transport_.heuristic.lightSamples()) vertex.direct = sampleLight();  // 5
     if (state_.round >= transport_.heuristic.bsdfSamples()) return vertex;
     vertex.next = scatter();                                       // 6

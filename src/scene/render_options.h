@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "layout.h"
+#include "registry.h"
 #include "scene/aov.h"
 #include "scene/sampler_choice.h"
 
@@ -22,6 +23,13 @@ namespace vkpt {
     params.aoDistance = std::numeric_limits<float>::infinity();
     params.filterRadius = 0.5F;
     return params;
+}
+
+/// The depth at which paths end under the integrator of `params`. [estimator.md, Integrators]
+[[nodiscard]] constexpr std::uint32_t pathDepth(const RenderParams& params) {
+    const auto integrator = static_cast<IntegratorId>(params.integrator);
+    if (integrator == IntegratorId::Path) return params.maxDepth;
+    return integrator == IntegratorId::Direct && params.maxDepth > 0 ? 1 : 0;
 }
 
 /// What is rendered. RenderParams carries everything both sides' estimators read.

@@ -48,11 +48,9 @@ std::uint32_t setSamples(const RenderOptions& options) {
 
 std::uint32_t lastIndex(const RenderOptions& options) { return std::max(options.params.spp, 1U) - 1; }
 
-/// With the depth at which the integrator ends its paths. [estimator.md, Integrators]
-RenderOptions withOwnDepth(RenderOptions options) {
-    const auto integrator = static_cast<IntegratorId>(options.params.integrator);
-    if (integrator != IntegratorId::Path)
-        options.params.maxDepth = integrator == IntegratorId::Direct ? std::min(options.params.maxDepth, 1U) : 0;
+/// With the depth at which paths end.
+RenderOptions withPathDepth(RenderOptions options) {
+    options.params.maxDepth = pathDepth(options.params);
     return options;
 }
 
@@ -60,7 +58,7 @@ RenderOptions withOwnDepth(RenderOptions options) {
 
 WavefrontRenderer::Impl::Impl(const SceneArrays& arrays, const RenderOptions& renderOptions,
                               const WavefrontConfig& wavefrontConfig)
-    : options(withOwnDepth(renderOptions)),
+    : options(withPathDepth(renderOptions)),
       config(wavefrontConfig),
       device({config.device, config.validation}),
       layout(planScene(arrays, options.sampler, lastIndex(options), options.params)),

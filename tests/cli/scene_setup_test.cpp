@@ -109,9 +109,9 @@ TEST_F(SceneSetup, CamerasThatCannotBeAreUsageErrors) {
     expectUsageError("--aperture");
 }
 
-TEST_F(SceneSetup, DirectLightNeedsSamplesAndOneBounce) {
+TEST_F(SceneSetup, DirectLightNeedsSamples) {
     sampling_.integrator = IntegratorId::Direct;
-    EXPECT_EQ(prepare().options.params.maxDepth, 1U);
+    EXPECT_EQ(pathDepth(prepare().options.params), 1U);
     sampling_.bsdfSamples = sampling_.lightSamples = 0;
     expectUsageError("--bsdf-samples");
 }

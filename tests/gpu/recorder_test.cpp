@@ -98,7 +98,10 @@ TEST_F(RecorderTest, TimestampsRiseAndUntakenOnesAreNan) {
     recorder.timestamp(2);
     recorder.submitAndWait();
     const auto seconds = recorder.timestampsSeconds();
-    if (!device_.info().timestamps) GTEST_SKIP() << "this device has no timestamps";
+    if (!device_.info().timestamps) {
+        EXPECT_TRUE(seconds.empty());
+        return;
+    }
     ASSERT_EQ(seconds.size(), 4U);
     EXPECT_EQ(seconds[0], 0);
     EXPECT_GT(seconds[2], 0);

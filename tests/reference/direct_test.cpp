@@ -90,6 +90,18 @@ TEST(Direct, EmissionAlphaAndLayersCountOnce) {
     EXPECT_EQ(film.layers[film.layout.firstWord(Layer::Depth)].y, 8U * 0x8000U) << "eight times half a metre";
 }
 
+TEST(Direct, DepthsBeyondOneCountAsOne) {
+    SceneBuilder builder;  // in a room light would go on
+    builder.roomAround(builder.material(metal(glm::vec3(0.8F), 0.6F)), glm::vec3(0), 3);
+    builder.quad(builder.material(emitter(glm::vec3(2))), {-0.5F, 0.5F, 2}, {1, 0, 0}, {0, -1, 0});
+    const SceneArrays scene = builder.build();
+    RenderOptions options = withSamples(directView(64), 2, 1);
+    const Film one = renderReference(scene, options);
+    options.params.maxDepth = 8;
+    EXPECT_TRUE(sameSums(one, renderReference(scene, options)));
+    EXPECT_GT(meanOf(one).r, 0);
+}
+
 TEST(Direct, DepthZeroIsEmissionAlone) {
     RenderOptions options = withSamples(directView(16), 4, 3);
     options.params.maxDepth = 0;

@@ -35,7 +35,7 @@ RenderOptions optionsOf(const Choice& choice) {
     p.aoDistance = 1.5F;
     p.bsdfSamples = 2;
     p.lightSamples = 3;
-    p.maxDepth = choice.integrator == IntegratorId::Direct ? 1 : 4;
+    p.maxDepth = 4;
     return options;
 }
 

@@ -3,11 +3,10 @@
 Per second of CPU time, so that a busy machine matters little: least of the runs of `vkpt bench`, start excluded.
 """
 import json
-import pathlib
 import sys
 
 from . import vkpt
-from .ranking import markdown
+from .ranking import markdown, save
 
 GALLERY = vkpt.ROOT / "scenes" / "bsdf_gallery" / "scene.gltf"
 MODELS = ("gltf", "lambert", "oren_nayar", "eon", "phong", "blinn_phong", "ashikhmin_shirley", "cook_torrance",
@@ -32,4 +31,4 @@ def measure(output, quick):
     backends = list(next(iter(report.values())))
     rows = [[f"`{spec}`"] + [f"{rates[backend]:.2f}" for backend in backends] for spec, rates in report.items()]
     print(markdown(["M paths a second of CPU time", *backends], rows))
-    pathlib.Path(output).write_text(json.dumps(report, indent=1) + "\n", encoding="utf-8")
+    save(output, report)

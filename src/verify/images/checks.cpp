@@ -35,7 +35,7 @@ void checkSameSeed(VerifyContext& context, Findings& f) {
     f.tally("paths", d.paths(), d.parted());
     f.figure("paths that part", d.partedShare(), fmt::format("{:.4f} %", 100 * d.partedShare()));
     f.figure("their mean difference", d.partedSize(), fmt::format("{:.2f} of the mean", d.partedSize()));
-    const double most = kMostPartedASegment * (context.options().params.maxDepth + 1);
+    const double most = kMostPartedASegment * (pathDepth(context.options().params) + 1);
     if (d.partedShare() > most && d.worst())
         f.disagree("paths that part", locate(context, *d.worst()),
                    fmt::format("{:.3f} % where {} % are allowed", 100 * d.partedShare(), 100 * most));
