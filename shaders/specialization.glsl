@@ -47,5 +47,9 @@ layout(constant_id = 37) const uint kHasFilter = 0u;       // the pixel filter h
 layout(constant_id = 38) const uint kHasLens = 0u;
 layout(constant_id = 39) const uint kHasMedia = 0u;        // some dielectric absorbs
 layout(constant_id = 40) const uint kHasNegativeLobes = 0u; // the pixel filter may take light away
+// The film's layers of light: where each kind begins, kNone: absent; layers by the length of the path.
+layout(constant_id = 41) const uint kLengthWord = kNone;
+layout(constant_id = 42) const uint kLengthLayers = 1u;
+layout(constant_id = 43) const uint kGroupWord = kNone;
 const bool kHasSurfaceLayers = kAlbedoWord != kNone || kNormalWord != kNone || kDepthWord != kNone ||
                                kPositionWord != kNone || kUvWord != kNone || kIdsWord != kNone;

@@ -17,5 +17,8 @@ uvec4 sceneWord(uint index) {
 
 vec4 sceneWordFloat(uint index) { return uintBitsToFloat(sceneWord(index)); }
 
+// Number `index` of an array that starts at word `base`, four a word.
+uint sceneNumber(uint base, uint index) { return sceneWord(base + (index >> 2u))[index & 3u]; }
+
 // Float `index` of an array that starts at word `base`, four floats a word.
 float sceneFloat(uint base, uint index) { return uintBitsToFloat(sceneWord(base + (index >> 2u))[index & 3u]); }

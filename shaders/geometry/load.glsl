@@ -31,6 +31,12 @@ InstanceRecord loadInstance(uint index) {
     return r;
 }
 
+// The mesh instance that a triangle, met through `instance`, is of.
+uint objectOf(uint triangle, uint instance) {
+    uint object = kHasInstances != 0u ? sceneWord(scene.instances + instance * 7u + 6u).y : kNone;
+    return object != kNone ? object : sceneWord(scene.triangles + triangle * 4u + 3u).w;
+}
+
 MaterialRecord loadMaterial(uint index) {
     uint base = scene.materials + index * 4u;
     vec4 w0 = sceneWordFloat(base), w1 = sceneWordFloat(base + 1u);

@@ -39,8 +39,7 @@ void keepFirstIds(uint base, uint slot, uint instance) {
     uvec3 ids = uvec3(kNone);
     if (slot != kNone) {
         TriangleRecord t = loadTriangle(slot);
-        uint object = kHasInstances != 0u ? loadInstance(instance).object : t.object;
-        ids = uvec3(t.primitive, object, t.flags >> kTriangleMaterialShift);
+        ids = uvec3(t.primitive, objectOf(slot, instance), t.flags >> kTriangleMaterialShift);
     }
     filmWords[base + kIdsWord] = uvec4(ids, 1u);
 }

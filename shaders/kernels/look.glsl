@@ -3,7 +3,7 @@
 #include "kernels/preamble.glsl"
 #include "kernels/draw.glsl"
 #include "kernels/append.glsl"
-#include "kernels/contribution.glsl"
+#include "kernels/light_layers.glsl"
 #include "kernels/camera_depth.glsl"
 #include "material/texture.glsl"
 #include "geometry/surface.glsl"
@@ -28,7 +28,7 @@ ShadowItem makeOcclusionItem(ShadingPoint p, SampleId id, vec3 throughput) {
     vec3 wi = sampleHemisphere(samplePath2D(id, bounceDimension(kDimBsdf))), direction = toWorld(p.frame, wi);
     float worth = kHemisphere == kHemisphereUniform ? 2.0 * wi.z : 1.0;
     bool outside = wi.z > 0.0 && dot(direction, p.ng) > 0.0;
-    return ShadowItem(leaveSurface(p, wi), direction, outside ? throughput * worth : vec3(0.0), render.aoDistance);
+    return ShadowItem(leaveSurface(p, wi), direction, outside ? throughput * worth : vec3(0.0), render.aoDistance, 0u);
 }
 
 void main() {
@@ -41,7 +41,7 @@ void main() {
         uvec4 hit = loadState(kStateHit, path);
         uint instance = loadState(kStateDirection, path).w;
         ShadingPoint p = makeShadingPoint(hit.y, instance, uintBitsToFloat(hit.zw), -direction);
-        addContribution(path, throughput * lookAt(p, uintBitsToFloat(hit.zw)), true, kMetSurface);
+        contribute(path, throughput * lookAt(p, uintBitsToFloat(hit.zw)), true, kMetSurface, 0u, 0u);
         if (kIntegrator == kIntegratorAo) {
             shadow = makeOcclusionItem(p, sampleIdOf(path), throughput);
             lit = maxMagnitude(shadow.radiance) > 0.0;

@@ -2,7 +2,7 @@
 // Stage 3a: paths that left the scene meet the environment, or the background if they are camera rays.
 #extension GL_GOOGLE_include_directive : require
 #include "kernels/preamble.glsl"
-#include "kernels/contribution.glsl"
+#include "kernels/light_layers.glsl"
 #include "lights/environment.glsl"
 #include "kernels/clamp.glsl"
 #include "kernels/weights.glsl"
@@ -45,5 +45,5 @@ void main() {
     bool first = batch.bounce == 0u;
     if (first && batch.round != 0u) return;   // of integrator direct: it has seen it in the first
     bool met = first && seesBackground() && render.backgroundMode != kBackgroundTransparent;
-    addContribution(path, seenBeyond(path, first), first, met ? kMetBackground : kMetNothing);
+    contribute(path, seenBeyond(path, first), first, met ? kMetBackground : kMetNothing, batch.bounce, scene.groupBehind);
 }

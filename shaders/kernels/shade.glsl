@@ -15,6 +15,7 @@ struct PathVertex {
     vec3 direction, wo, throughput;   // direction: wo in world space
     float pdfBsdf, t;
     uint medium;                      // that the path came through
+    uint group;                       // of the surface's own light
     ShadingPoint point;
     ShadingFrame frame;
     VertexBsdf bsdf;
@@ -38,6 +39,7 @@ PathVertex loadPathVertex(uint path) {
     v.point = makeShadingPoint(hit.y, floatBitsToUint(direction.w), uintBitsToFloat(hit.zw), v.direction);
     v.frame = makeVertexFrame(v.point);
     v.wo = toLocal(v.frame, v.direction);
+    v.group = emitterGroup(hit.y, floatBitsToUint(direction.w));
     v.bsdf = makeVertexBsdf(v.point, v.wo);
     return v;
 }
@@ -94,6 +96,7 @@ ShadowItem makeShadowItem(PathVertex v, DirectSample s) {
     item.origin = leaveSurface(v.point, s.wi);
     item.target = s.light.infinite ? s.light.target : s.light.target - item.origin;
     item.tMax = s.light.infinite ? uintBitsToFloat(0x7f800000u) : 1.0;
+    item.group = s.light.group;
     return item;
 }
 
@@ -134,7 +137,7 @@ void addEmission(PathVertex v, vec3 radiance) {
     bool camera = batch.bounce == 0u, first = camera && (kIntegrator != kIntegratorDirect || batch.round == 0u);
     vec3 emission = clampIndirect(v.throughput * radiance, batch.bounce);
     if (first || (!camera && maxMagnitude(emission) > 0.0))
-        addContribution(v.path, emission, first, first ? kMetSurface : kMetNothing);
+        contribute(v.path, emission, first, first ? kMetSurface : kMetNothing, batch.bounce, v.group);
 }
 
 void main() {

@@ -2,7 +2,7 @@
 #include "kernels/preamble.glsl"
 #include "kernels/draw.glsl"
 #include "kernels/append.glsl"
-#include "kernels/contribution.glsl"
+#include "kernels/light_layers.glsl"
 #include "material/texture.glsl"
 #include "geometry/surface.glsl"
 #include "material/maps.glsl"

@@ -2,7 +2,7 @@
 // Stage 4: light samples that arrive are added to their path. One at most for each path and bounce: no atomics.
 #extension GL_GOOGLE_include_directive : require
 #include "kernels/preamble.glsl"
-#include "kernels/contribution.glsl"
+#include "kernels/light_layers.glsl"
 #include "material/texture.glsl"
 #include "geometry/surface.glsl"
 #include "geometry/triangle.glsl"
@@ -17,5 +17,7 @@ void main() {
     vec4 origin = loadStateFloat(kShadowOrigin, i), target = loadStateFloat(kShadowTarget, i);
     uint path = floatBitsToUint(origin.w);
     Hit hit = traverse(origin.xyz, target.xyz, target.w, alphaKeyOf(path, kRayShadow), true);
-    if (hit.slot == kNone) addContribution(path, loadStateFloat(kShadowRadiance, i).xyz, false, kMetNothing);
+    if (hit.slot != kNone) return;
+    vec4 radiance = loadStateFloat(kShadowRadiance, i);
+    contribute(path, radiance.xyz, false, kMetNothing, batch.bounce + 1u, floatBitsToUint(radiance.w));
 }

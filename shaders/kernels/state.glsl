@@ -27,7 +27,7 @@ const uint kStateHit = 3u;         // t, slot, b1, b2
 const uint kStateRed = 4u, kStateGreen = 5u, kStateBlue = 6u;  // exact sums; red.w: alpha
 const uint kShadowOrigin = 7u;     // xyz; w: path slot
 const uint kShadowTarget = 8u;     // xyz: from the origin to the light; w: tMax
-const uint kShadowRadiance = 9u;   // xyz
+const uint kShadowRadiance = 9u;   // xyz; w: group of the light
 
 uvec4 loadState(uint array, uint slot) {
     uint word = array * batch.capacity + slot;

@@ -8,6 +8,7 @@ struct LightSample {
     vec3 radiance;    // Le, or irradiance of a delta light; 0: nothing arrives
     float pdf;        // per solid angle, choice of the light included; of a delta light: of the choice alone
     bool delta;
+    uint group;       // of the film's layers of light
 };
 
 // Radiance a triangle light sends from barycentric (b0, b1): factor x texture.
@@ -83,7 +84,7 @@ LightChoice chooseLight(uint bits) {
 
 // `bits`: two sampler values; the first chooses both the light and one coordinate of the point on it.
 LightSample sampleLight(vec3 from, uvec2 bits) {
-    LightSample s = LightSample(vec3(0.0), false, 0.0, vec3(0.0), vec3(0.0), 0.0, false);
+    LightSample s = LightSample(vec3(0.0), false, 0.0, vec3(0.0), vec3(0.0), 0.0, false, 0u);
     if (scene.lightCount == 0u) return s;
     LightChoice choice = chooseLight(bits.x);
     LightRecord light = loadLight(choice.light);
@@ -92,5 +93,6 @@ LightSample sampleLight(vec3 from, uvec2 bits) {
     if (kHasPunctualLights != 0u && light.kind >= kLightPoint && light.kind <= kLightDirectional)
         s = samplePunctualLight(light, from);
     if (kHasEnvironment != 0u && light.kind == kLightEnvironment) s = sampleEnvironmentLight(light.pmf, u);
+    s.group = kGroupWord != kNone ? sceneNumber(scene.lightGroups, choice.light) : 0u;
     return s;
 }

@@ -52,7 +52,7 @@ void putHeader(SceneHeader r) {
     put(r.textures); put(r.texels); put(r.lights); put(r.lightCdf); put(r.lightCount); put(r.rootNode);
     put(r.envTexels); put(r.envRows); put(r.envColumns); put(r.envLight); put(r.envWidth); put(r.envHeight);
     put(r.envCos); put(r.envSin); put(r.samplerTable); put(r.bsdfs); put(r.albedoTables);
-    put(r.filterTable);
+    put(r.filterTable); put(r.lightGroups); put(r.objectGroups); put(r.groupBehind);
 }
 
 void putParams(RenderParams r) {

@@ -17,5 +17,5 @@ void main() {
     putWord(7u, uvec4(kSetSamples, kBsdfModels, kShadeGroups, kMultiscatter));
     putWord(8u, uvec4(kIntegrator, kStrategy, kBeta, kHemisphere));
     putWord(9u, uvec4(kProjection, kHasFilter, kHasLens, kHasMedia));
-    putWord(10u, uvec4(kHasNegativeLobes, 0u, 0u, 0u));
+    putWord(10u, uvec4(kHasNegativeLobes, kLengthWord, kLengthLayers, kGroupWord));
 }

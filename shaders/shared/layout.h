@@ -29,7 +29,7 @@ struct TriangleRecord {
     vec3 v2;
     uint primitive;  // unique id of the triangle in the scene, independent of the BVH's order
     uint i0, i1, i2; // indices of VertexRecord (and of VertexExtra)
-    uint object;     // index of the mesh instance it was baked from; unused where instanced
+    uint object;     // index of the mesh instance it was baked from; unused where InstanceRecord.object is not kNone
 };
 
 // Shading attributes of a vertex: 16-bit octahedral normal, 15-bit octahedral tangent with its handedness.
@@ -63,7 +63,7 @@ struct InstanceRecord {
     vec4 objectFromWorld[3];  // rows
     vec4 worldFromObject[3];  // rows
     uint rootNode;            // index of the WideNode at the root of its mesh
-    uint object;              // index of the mesh instance
+    uint object;              // index of the mesh instance; kNone: each triangle has its own
     uint pad0, pad1;
 };
 
@@ -154,6 +154,10 @@ struct SceneHeader {
     uint bsdfs;            // BsdfRecord a material
     uint albedoTables;     // kAlbedoTableWords a table; the first is glTF's
     uint filterTable;      // FilterCell an interval, kFilterSteps; kNone: the box of one pixel
+    uint lightGroups;      // the group of each light, 4 a word
+    uint objectGroups;     // the group of each mesh instance, 4 a word
+    uint groupBehind;      // of environment and background
+    uint headerPad;
 };
 
 // An interval of one axis of a pixel filter: all intervals are drawn alike.
@@ -205,7 +209,7 @@ static_assert(sizeof(TriangleRecord) == 64 && sizeof(VertexRecord) == 16 && size
 static_assert(sizeof(WideNode) == 80 && sizeof(InstanceRecord) == 112);
 static_assert(sizeof(MaterialRecord) == 64 && sizeof(TextureRecord) == 48 && sizeof(LightRecord) == 64);
 static_assert(sizeof(FilterCell) == 16 && sizeof(BsdfRecord) == 96 && sizeof(AlbedoCell) == 16);
-static_assert(sizeof(SceneHeader) == 96 && sizeof(RenderParams) == 160 && sizeof(FilmSums) == 48);
+static_assert(sizeof(SceneHeader) == 112 && sizeof(RenderParams) == 160 && sizeof(FilmSums) == 48);
 }  // namespace vkpt
 #endif
 #endif

@@ -10,6 +10,7 @@
 #include "cli/metadata.h"
 #include "cli/options.h"
 #include "compare/heat_map.h"
+#include "film/contact_sheet.h"
 #include "film/encode_film.h"
 
 namespace vkpt {
@@ -49,6 +50,11 @@ void checkOutputs(const OutputOptions& options) {
     }
 }
 
+std::filesystem::path contactSheetFile(const OutputOptions& options, const char* what) {
+    std::filesystem::path file = options.files.front();
+    return file.replace_filename(fmt::format("{}_{}.png", file.stem().string(), what));
+}
+
 void writeFilm(const std::filesystem::path& file, const FilmRecord& record) {
     writeFileAtomically(file, encodeFilm(filmImages(record.film), record, true, imageMetadata(record)));
 }
@@ -76,6 +82,13 @@ Bytes encodeCost(const Image& beauty, const ImageMetadata& metadata) {
     return encodePng(heatMap(sum, {"nodes + triangles tested a ray"}), 8, metadata);
 }
 
+void writeSheet(const std::filesystem::path& file, const std::vector<LightImage>& layers, const Image& beauty,
+                const WriteOptions& write, const ImageMetadata& metadata) {
+    if (layers.empty()) return;
+    writeFileAtomically(file, encodePng(contactSheet(layers, beauty, write.display), 8, metadata));
+    spdlog::info("wrote {}", file.string());
+}
+
 }  // namespace
 
 void writeFilmFiles(const FilmRecord& record, const OutputOptions& options) {
@@ -95,6 +108,8 @@ void writeFilmFiles(const FilmRecord& record, const OutputOptions& options) {
             writeImage(file, images.beauty, write, metadata);
         spdlog::info("wrote {}", file.string());
     }
+    writeSheet(contactSheetFile(options, kBounceSheet), images.lengths, images.beauty, write, metadata);
+    writeSheet(contactSheetFile(options, kLightSheet), images.groups, images.beauty, write, metadata);
 }
 
 }  // namespace vkpt

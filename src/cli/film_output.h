@@ -25,7 +25,12 @@ void addOutputOptions(CLI::App& app, OutputOptions& options, const std::string& 
 /// no format, FileError for a file that cannot be written.
 void checkOutputs(const OutputOptions& options);
 
-/// Writes every file. Each appears whole or not at all. Throws FileError.
+/// Where the contact sheet of layers of light goes: beside the first file, "a.exr" and "bounces" make "a_bounces.png".
+[[nodiscard]] std::filesystem::path contactSheetFile(const OutputOptions& options, const char* what);
+inline constexpr const char *kBounceSheet = "bounces", *kLightSheet = "lights";
+
+/// Writes every file, and a contact sheet of each kind of layers of light that the film has. Each appears whole or not
+/// at all. Throws FileError.
 void writeFilmFiles(const FilmRecord& record, const OutputOptions& options);
 
 /// Writes an EXR file with everything in it. Throws FileError.

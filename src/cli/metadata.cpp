@@ -88,6 +88,8 @@ Json renderSettings(const PreparedScene& prepared) {
             {"aperture", fmt::format("{}", p.lensRadius)},
             {"focus", fmt::format("{}", p.focusDistance)},
             {"aov", aovsText(prepared.options.aovs)},
+            {"perBounce", prepared.options.light.lengths},
+            {"lightGroups", prepared.options.light.groups},
             {"geometry", hashes.geometry},
             {"materials", hashes.materials},
             {"lights", hashes.lights},

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "cli/command.h"
+#include "scene/light_layers.h"
 #include "scene/pixel_filter.h"
 
 namespace vkpt {
@@ -185,6 +186,25 @@ void addAovs(CLI::App& app, SamplingOptions& options) {
               fmt::format("layers beside the picture, with commas between (default: none). {}", helpOf(kAovs)),
               "a list of layers, see --help")
         ->group("Sampling");
+}
+
+void addLightLayers(CLI::App& app, SamplingOptions& options) {
+    const char* group = "Sampling";
+    app.add_flag(
+           "--per-bounce", options.perBounce,
+           fmt::format("layers of light by how often it was scattered: emission, direct, bounce1, ... ({} at most, "
+                       "the last takes the rest), which add up to the picture; NAME_bounces.png beside the first "
+                       "output NAME shows them all",
+                       kMostLengthLayers))
+        ->group(group);
+    addParsed(
+        app, "--light-groups", options.lightGroups, parseLightGroups, "all|none|NAME,NAME,...",
+        fmt::format(
+            "layers of light by where it comes from: name of the light or of the emissive mesh's node, '{}' "
+            "({} at most); with names only these, and '{}' for the rest; NAME_lights.png shows them (default: none)",
+            kEnvironmentGroup, kMostLightGroups, kOtherLights),
+        "all, none, or names with commas between")
+        ->group(group);
 }
 
 void addBackend(CLI::App& app, BackendOptions& options) {

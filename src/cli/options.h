@@ -94,6 +94,8 @@ struct SamplingOptions {
     float clampIndirect = 0;                                    ///< nits; 0: off
     PixelFilter filter;
     AovSet aovs;
+    bool perBounce = false;
+    LightGroupChoice lightGroups;
 };
 
 enum class Backend { Vulkan, Cpu };
@@ -115,6 +117,7 @@ void addSceneFile(CLI::App& app, SceneOptions& options, bool required);
 void addSceneOptions(CLI::App& app, SceneOptions& options);
 void addSamplingOptions(CLI::App& app, SamplingOptions& options);
 void addAovs(CLI::App& app, SamplingOptions& options);
+void addLightLayers(CLI::App& app, SamplingOptions& options);
 void addBackend(CLI::App& app, BackendOptions& options);
 void addDeviceOptions(CLI::App& app, BackendOptions& options);
 inline constexpr const char* kCount = "a whole number above 0";

@@ -88,6 +88,19 @@ std::optional<PixelFilter> parseFilter(std::string_view text) {
     return PixelFilter{info->id, *radius};
 }
 
+std::optional<LightGroupChoice> parseLightGroups(std::string_view text) {
+    if (text == "none") return LightGroupChoice{};
+    LightGroupChoice choice{true, {}};
+    if (text == "all") return choice;
+    for (;;) {
+        const std::size_t comma = text.find(',');
+        if (comma == 0 || text.empty()) return std::nullopt;
+        choice.names.emplace_back(text.substr(0, comma));
+        if (comma == std::string_view::npos) return choice;
+        text.remove_prefix(comma + 1);
+    }
+}
+
 std::optional<Background> parseBackground(std::string_view text) {
     if (text == "env") return Background{kBackgroundEnvironment, {}};
     if (text == "transparent") return Background{kBackgroundTransparent, {}};

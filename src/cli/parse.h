@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "constants.h"
+#include "scene/light_groups.h"
 #include "scene/sample_ranges.h"
 
 namespace vkpt {
@@ -67,6 +68,9 @@ struct PixelFilter {
     float radius = 0.5F;
 };
 [[nodiscard]] std::optional<PixelFilter> parseFilter(std::string_view text);
+
+/// "all", "none", or names with commas between them.
+[[nodiscard]] std::optional<LightGroupChoice> parseLightGroups(std::string_view text);
 
 /// "env", "transparent" or "R,G,B".
 struct Background {

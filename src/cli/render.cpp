@@ -53,6 +53,14 @@ void addRunOptions(CLI::App& app, RenderCommand& c) {
     addVerbosity(app, c.verbosity);
 }
 
+/// The contact sheet takes no other output's place.
+void checkSheet(const RenderCommand& c, const char* what) {
+    const fs::path sheet = contactSheetFile(c.output, what);
+    if (std::ranges::find(c.output.files, sheet) != c.output.files.end())
+        throw usageError("--output", fmt::format("'{}' is what the contact sheet is called", sheet.string()));
+    checkWritable(sheet);
+}
+
 /// What files there will be; faults of the options that ask for them.
 void settleOutputs(RenderCommand& c) {
     std::vector<fs::path>& files = c.output.files;
@@ -67,13 +75,16 @@ void settleOutputs(RenderCommand& c) {
     if (!c.output.film && (c.checkpoint || !c.resume.empty()))
         throw usageError("--no-film", "leaves nothing that --checkpoint could save or --resume go on from");
     checkOutputs(c.output);
+    if (c.sampling.perBounce) checkSheet(c, kBounceSheet);
+    if (c.sampling.lightGroups.on) checkSheet(c, kLightSheet);
     if (!c.stats.empty()) checkWritable(c.stats);
 }
 
 /// The film to begin with: that of --resume, or an empty one.
 FilmRecord startFilm(const RenderCommand& c, const PreparedScene& prepared) {
     const RenderParams& params = prepared.options.params;
-    FilmRecord fresh{Film(params.width, params.height, prepared.options.aovs), renderSettings(prepared), {}};
+    FilmRecord fresh{
+        Film(params.width, params.height, prepared.options.aovs, prepared.options.light), renderSettings(prepared), {}};
     if (c.resume.empty()) return fresh;
     if (!fs::exists(c.resume)) {
         spdlog::info("{} is not there yet: starting afresh", c.resume.string());
@@ -194,6 +205,7 @@ std::function<ExitCode()> setUpRender(CLI::App& app) {
     addSceneOptions(app, command->scene);
     addSamplingOptions(app, command->sampling);
     addAovs(app, command->sampling);
+    addLightLayers(app, command->sampling);
     addBackend(app, command->backend);
     addDeviceOptions(app, command->backend);
     addOutputOptions(app, command->output, " (default: NAME.png here)");

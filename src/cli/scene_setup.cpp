@@ -15,6 +15,7 @@
 #include "scene/default_light.h"
 #include "scene/environment.h"
 #include "scene/flatten.h"
+#include "scene/light_groups.h"
 #include "scene/material_override.h"
 #include "scene/pixel_filter.h"
 
@@ -62,8 +63,22 @@ void setTransport(RenderParams& params, const SamplingOptions& sampling) {
     params.filterRadius = sampling.filter.radius;
     if (sampling.aovs.has(Aov::Variance) && hasNegativeLobes(params.pixelFilter))
         throw usageError("--aov", "variance needs a --filter that takes no light away: mitchell does");
+    const bool isLight = sampling.integrator == IntegratorId::Path || sampling.integrator == IntegratorId::Direct;
+    if (sampling.perBounce && !isLight) throw usageError("--per-bounce", "needs --integrator path or direct");
+    if (sampling.lightGroups.on && !isLight) throw usageError("--light-groups", "needs --integrator path or direct");
     if (sampling.integrator == IntegratorId::Direct && std::max(params.bsdfSamples, params.lightSamples) == 0)
         throw usageError("--bsdf-samples", "and --light-samples are both 0: nothing would be computed");
+}
+
+/// Layers of light, now that scene and integrator are known.
+void setLightLayers(PreparedScene& prepared, const SamplingOptions& sampling) {
+    RenderOptions& options = prepared.options;
+    const RenderParams& params = options.params;
+    const bool background = params.backgroundMode == kBackgroundColor && params.background != glm::vec3(0);
+    if (sampling.perBounce) options.light.lengths = lengthLayers(pathDepth(params));
+    if (!sampling.lightGroups.on) return;
+    groupLights(prepared.arrays, sampling.lightGroups, background, prepared.file.string());
+    options.light.groups = prepared.arrays.lightGroups.names;
 }
 
 void setSampling(RenderOptions& options, const SamplingOptions& sampling) {
@@ -215,6 +230,7 @@ PreparedScene prepareScene(const SceneOptions& scene, const SamplingOptions& sam
     setCamera(params, imported, prepared.arrays, scene);
     params.backgroundMode = scene.background.mode;
     params.background = scene.background.color;
+    setLightLayers(prepared, sampling);
     clock.done("camera");
     buildBvh(prepared.arrays, {}, &prepared.bvh);
     clock.done("bvh");

@@ -148,6 +148,7 @@ std::function<ExitCode()> setUpVerify(CLI::App& app) {
     addSceneFile(app, command->scene, true);
     addSceneOptions(app, command->scene);
     addSamplingOptions(app, command->sampling);
+    addLightLayers(app, command->sampling);
     addDeviceOptions(app, command->backend);
     addParsed(app, "--replicates", command->replicates, numberWithin(2U), "N",
               "images a side that the last rung compares (default: 32)", "a whole number, 2 or above");

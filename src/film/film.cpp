@@ -41,13 +41,14 @@ void check(const Film& into, const Film& other) {
                                                         into.height, other.width, other.height));
     if (const auto both = overlapOf(into.ranges, other.ranges))
         throw Error(ExitCode::Usage, fmt::format("both films hold samples {}:{}", both->begin, both->end));
-    if (into.layout.aovs() != other.layout.aovs()) throw Error(ExitCode::Usage, "the films have other layers");
+    if (into.layout.aovs() != other.layout.aovs() || into.layout.light() != other.layout.light())
+        throw Error(ExitCode::Usage, "the films have other layers");
 }
 
 }  // namespace
 
-Film::Film(std::uint32_t filmWidth, std::uint32_t filmHeight, AovSet aovs)
-    : width(filmWidth), height(filmHeight), layout(aovs) {
+Film::Film(std::uint32_t filmWidth, std::uint32_t filmHeight, AovSet aovs, LightLayers light)
+    : width(filmWidth), height(filmHeight), layout(aovs, std::move(light)) {
     sums.resize(pixelCount(*this));
     layers.resize(pixelCount(*this) * layout.words());
 }

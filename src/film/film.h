@@ -23,7 +23,7 @@ struct Film {
 
     Film() = default;
     /// A film of no samples, all zero.
-    Film(std::uint32_t filmWidth, std::uint32_t filmHeight, AovSet aovs = {});
+    Film(std::uint32_t filmWidth, std::uint32_t filmHeight, AovSet aovs = {}, LightLayers light = {});
 
     [[nodiscard]] std::uint32_t samples() const { return countSamples(ranges); }
     [[nodiscard]] std::uint32_t sampleBegin() const { return ranges.empty() ? 0 : ranges.front().begin; }

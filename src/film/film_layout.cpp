@@ -48,7 +48,7 @@ std::array<LayerSource, kLayers> layerSources() {
 
 FilmBlock beautyBlock() { return {"beauty", 0, {sumWord('R', "alpha"), sumWord('G', "surface"), sumWord('B')}}; }
 
-FilmLayout::FilmLayout(AovSet aovs) : aovs_(aovs) {
+FilmLayout::FilmLayout(AovSet aovs, LightLayers light) : aovs_(aovs), light_(std::move(light)) {
     firstWords_.fill(kNone);
     auto sources = layerSources();
     for (std::size_t i = 0; i < kLayers; ++i) {
@@ -57,6 +57,17 @@ FilmLayout::FilmLayout(AovSet aovs) : aovs_(aovs) {
         words_ += static_cast<std::uint32_t>(sources[i].words.size());
         blocks_.push_back({std::string(sources[i].name), firstWords_[i], std::move(sources[i].words)});
     }
+    lengthWord_ = addLight("length", light_.lengths);
+    groupWord_ = addLight("group", light_.groups.size());
+}
+
+/// Blocks "length0", "length1", ...; the first word, kNone where there are none.
+std::uint32_t FilmLayout::addLight(std::string_view kind, std::size_t count) {
+    if (count == 0) return kNone;
+    const std::uint32_t first = words_;
+    for (std::size_t i = 0; i < count; ++i, words_ += kLightWords)
+        blocks_.push_back({fmt::format("{}{}", kind, i), words_, sumWords("RGB")});
+    return first;
 }
 
 bool FilmLayout::hasSurfaceLayer() const {

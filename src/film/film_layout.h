@@ -7,6 +7,7 @@
 
 #include "constants.h"
 #include "scene/aov.h"
+#include "scene/light_layers.h"
 
 namespace vkpt {
 
@@ -38,14 +39,21 @@ struct FilmBlock {
 enum class Layer : std::uint32_t { Albedo, Normal, Depth, Position, Uv, Ids, Luminance };
 inline constexpr std::size_t kLayers = 7;
 
-/// The words of a pixel beside FilmSums, for one set of AOVs. Both renderers gather what it lists, merging and files
-/// follow it; a layer of another kind is one more block.
+/// Words of one layer of light: red, green, blue.
+inline constexpr std::uint32_t kLightWords = 3;
+
+/// The words of a pixel beside FilmSums: those of the AOVs, of light by length, of light by group. Both renderers
+/// gather what it lists, merging and files follow it; a layer of another kind is one more block.
 class FilmLayout {
 public:
     FilmLayout() { firstWords_.fill(kNone); }
-    explicit FilmLayout(AovSet aovs);
+    explicit FilmLayout(AovSet aovs, LightLayers light = {});
 
     [[nodiscard]] AovSet aovs() const { return aovs_; }
+    [[nodiscard]] const LightLayers& light() const { return light_; }
+    /// The first word of the layers of light by length, kLightWords each, or kNone; the same by group.
+    [[nodiscard]] std::uint32_t lengthWord() const { return lengthWord_; }
+    [[nodiscard]] std::uint32_t groupWord() const { return groupWord_; }
     [[nodiscard]] std::uint32_t words() const { return words_; }
     [[nodiscard]] const std::vector<FilmBlock>& blocks() const { return blocks_; }
     /// The first word of a layer, or kNone where it is not gathered.
@@ -55,7 +63,11 @@ public:
     [[nodiscard]] bool hasSurfaceLayer() const;
 
 private:
+    std::uint32_t addLight(std::string_view kind, std::size_t count);
+
     AovSet aovs_;
+    LightLayers light_;
+    std::uint32_t lengthWord_ = kNone, groupWord_ = kNone;
     std::uint32_t words_ = 0;
     std::array<std::uint32_t, kLayers> firstWords_{};
     std::vector<FilmBlock> blocks_;

@@ -20,7 +20,7 @@ struct FilmSource {
 struct FilmRecord {
     Film film;
     /// Names and values, most telling first. Equal but for isDescription keys: samples of one and the same render.
-    /// "spp", "size" and "aov" are always there.
+    /// "spp", "size" and "aov" are always there; "perBounce" and "lightGroups" say which layers of light there are.
     Json settings;
     std::vector<FilmSource> sources;  ///< ascending; together they hold the samples of the film
 };

@@ -43,7 +43,7 @@ public:
         record.settings = parse(attribute::kSettings);
         if (!record.settings.is_object() || settingsHash(record.settings) != text(attribute::kSettingsHash))
             fail("the settings of its film are damaged");
-        record.film = readSums(setting<std::string>(record.settings, "aov"));
+        record.film = readSums(setting<std::string>(record.settings, "aov"), lightLayers(record.settings));
         readStory(record);
         return record;
     }
@@ -102,6 +102,16 @@ private:
         return {width, height};
     }
 
+    /// None in films of before there were any.
+    [[nodiscard]] LightLayers lightLayers(const Json& settings) const {
+        LightLayers light;
+        if (settings.contains("perBounce")) light.lengths = setting<std::uint32_t>(settings, "perBounce");
+        if (settings.contains("lightGroups")) light.groups = setting<std::vector<std::string>>(settings, "lightGroups");
+        if (light.lengths > kMostLengthLayers || light.groups.size() > kMostLightGroups)
+            fail("its film has more layers of light than there can be");
+        return light;
+    }
+
     /// Where the library is to put the rows from `y` on.
     [[nodiscard]] Imf::FrameBuffer frameBuffer(const Film& band, std::uint32_t y) const {
         Imf::FrameBuffer frame;
@@ -118,18 +128,18 @@ private:
 
     /// The integers, a band of rows after the other: memory grows only as the file proves to hold them. Channels that
     /// this version does not know are passed over.
-    [[nodiscard]] Film readSums(const std::string& aovNames) {
+    [[nodiscard]] Film readSums(const std::string& aovNames, const LightLayers& light) {
         const auto aovs = parseAovs(aovNames);
         if (!aovs) fail(fmt::format("'{}' are no layers that this vkpt knows", aovNames));
         if (header().type() != Imf::SCANLINEIMAGE) fail("its film is not stored in scan lines");
-        Film film(0, 0, *aovs);
+        Film film(0, 0, *aovs, light);
         const glm::uvec2 frame = size();
         film.width = frame.x;
         film.height = frame.y;
         Imf::InputPart part(file_, part_);
         const std::uint32_t bandRows = std::max(kBandPixels / frame.x, 1U);
         for (std::uint32_t y = 0; y < frame.y; y += bandRows) {
-            Film band(frame.x, std::min(bandRows, frame.y - y), *aovs);
+            Film band(frame.x, std::min(bandRows, frame.y - y), *aovs, light);
             part.setFrameBuffer(frameBuffer(band, y));
             part.readPixels(static_cast<int>(y), static_cast<int>(y + band.height - 1));
             film.sums.insert(film.sums.end(), band.sums.begin(), band.sums.end());

@@ -70,6 +70,15 @@ glm::vec4 unpackTangent(std::uint32_t packed) {
     return {octDecode<float>(glm::max(e / kOctTangentMax, -1.0F)), (packed >> 31U) != 0 ? -1.0F : 1.0F};
 }
 
+std::uint32_t objectOf(const SceneArrays& scene, const Hit& hit) {
+    const std::uint32_t placed = hit.instance == kNone ? kNone : scene.instances[hit.instance].object;
+    return placed == kNone ? scene.triangles[hit.triangle].object : placed;
+}
+
+std::uint32_t emitterGroup(const SceneArrays& scene, const Hit& hit) {
+    return scene.lightGroups.empty() ? 0 : scene.lightGroups.ofObject[objectOf(scene, hit)];
+}
+
 float largestComponent(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
     return std::max({largest(a), largest(b), largest(c)});
 }

@@ -46,6 +46,11 @@ struct ShadingPoint {
 [[nodiscard]] ShadingPoint makeShadingPoint(const SceneArrays& scene, const Hit& hit, const Attributes& attributes,
                                             const glm::vec3& wo);
 
+/// The mesh instance that a hit is on.
+[[nodiscard]] std::uint32_t objectOf(const SceneArrays& scene, const Hit& hit);
+/// The light group of what it emits; 0 where the scene has no groups.
+[[nodiscard]] std::uint32_t emitterGroup(const SceneArrays& scene, const Hit& hit);
+
 /// Largest |component| of three points.
 [[nodiscard]] float largestComponent(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
 

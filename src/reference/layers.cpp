@@ -24,6 +24,24 @@ void LayerTally::addFirstHit(const Ray& ray, const std::optional<Hit>& hit) {
     addValue(Layer::Uv, {attributes.coords.uv0.x, attributes.coords.uv0.y});
 }
 
+void LayerTally::addLight(const FilmSums& contribution, const LightOrigin& origin) {
+    const LightLayers& light = layout_.light();
+    if (light.lengths > 0) {
+        const std::uint32_t layer = std::min(origin.scatterings, light.lengths - 1);
+        addLight(layout_.lengthWord() + layer * kLightWords, contribution);
+    }
+    if (!light.groups.empty()) addLight(layout_.groupWord() + origin.group * kLightWords, contribution);
+}
+
+void LayerTally::addLight(std::uint32_t firstWord, const FilmSums& contribution) {
+    const auto add = [&](std::uint32_t i, const uvec4& sum) {
+        addFixedPoint(words_[firstWord + i], {sum.x, sum.y, sum.z});
+    };
+    add(0, contribution.red);
+    add(1, contribution.green);
+    add(2, contribution.blue);
+}
+
 void LayerTally::addPath(const FilmSums& sums) {
     if (!layout_.has(Layer::Luminance)) return;
     uvec4& first = word(Layer::Luminance, 0);
@@ -53,7 +71,7 @@ void LayerTally::keepFirstIds(const std::optional<Hit>& hit) {
     if (!hit) return;
     const TriangleRecord& triangle = scene_.triangles[hit->triangle];
     ids.x = triangle.primitive;
-    ids.y = hit->instance == kNone ? triangle.object : scene_.instances[hit->instance].object;
+    ids.y = objectOf(scene_, *hit);
     ids.z = triangle.flags >> kTriangleMaterialShift;
 }
 

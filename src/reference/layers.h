@@ -10,6 +10,12 @@
 
 namespace vkpt::reference {
 
+/// What a contribution came from.
+struct LightOrigin {
+    std::uint32_t scatterings = 0;  ///< on its way to the camera
+    std::uint32_t group = 0;
+};
+
 /// Adds single paths to the layers of one pixel.
 class LayerTally {
 public:
@@ -19,6 +25,8 @@ public:
 
     /// What the camera ray met, or that it met nothing. Called in the order of sample indices.
     void addFirstHit(const Ray& ray, const std::optional<Hit>& hit);
+    /// One contribution, in fixed point.
+    void addLight(const FilmSums& contribution, const LightOrigin& origin);
     /// A finished path; `sums` are its contributions alone.
     void addPath(const FilmSums& sums);
 
@@ -27,6 +35,7 @@ public:
 
 private:
     void addValue(Layer layer, std::initializer_list<float> value);
+    void addLight(std::uint32_t firstWord, const FilmSums& contribution);
     void keepFirstIds(const std::optional<Hit>& hit);
     [[nodiscard]] uvec4& word(Layer layer, std::size_t i) { return words_[layout_.firstWord(layer) + i]; }
 

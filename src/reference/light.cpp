@@ -24,6 +24,13 @@ std::optional<LightSample> Lights::sample(const glm::vec3& from, glm::uvec2 bits
     const float begin = chosen == 0 ? 0 : cdf[chosen - 1];
     const float into = (toUnit(bits.x) - begin + static_cast<float>(bits.x % 256) * 0x1p-32F) / (cdf[chosen] - begin);
     const Vec2<float> u{std::min(into, kBelowOne), toUnit(bits.y)};
+    std::optional<LightSample> sample = sampleOf(light, from, u);
+    if (sample) sample->light = chosen;
+    return sample;
+}
+
+std::optional<LightSample> Lights::sampleOf(const LightRecord& light, const glm::vec3& from,
+                                            const Vec2<float>& u) const {
     if (light.kind <= kLightTriangleTwoSided) return sampleTriangle(light, from, u);
     if (light.kind == kLightEnvironment) return sampleEnvironment(light, u);
     return samplePunctual(light, from);

@@ -18,6 +18,7 @@ struct LightSample {
     bool infinite = false;  ///< nothing ends the shadow ray
     float distance = std::numeric_limits<float>::infinity();  ///< metres
     glm::vec3 end{0};                                         ///< where the shadow ray ends, unless infinite
+    std::uint32_t light = kNone;                              ///< which of SceneArrays::lights it is of
 };
 
 class Lights {
@@ -36,6 +37,8 @@ public:
     [[nodiscard]] float pdfEnvironment(const glm::vec3& d) const;
 
 private:
+    [[nodiscard]] std::optional<LightSample> sampleOf(const LightRecord& light, const glm::vec3& from,
+                                                      const Vec2<float>& u) const;
     [[nodiscard]] std::optional<LightSample> sampleTriangle(const LightRecord& light, const glm::vec3& from,
                                                             const Vec2<float>& u) const;
     [[nodiscard]] std::optional<LightSample> samplePunctual(const LightRecord& light, const glm::vec3& from) const;

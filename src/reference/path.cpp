@@ -19,9 +19,15 @@ PathTracer::PathTracer(const SceneArrays& scene, const RenderOptions& options)
       bits_(samplerBits(options.sampler)),
       filter_(filterTable(options.params)) {}
 
-void PathTracer::add(PathTally& tally, const glm::vec3& contribution) const {
+void PathTracer::add(PathTally& tally, const glm::vec3& contribution, const LightOrigin& origin) const {
     if (isBlack(contribution)) return;
-    if (!addContribution(tally.sums, contribution, hasNegativeLobes(params_.pixelFilter))) ++tally.refused;
+    FilmSums added{};
+    if (!addContribution(added, contribution, hasNegativeLobes(params_.pixelFilter))) {
+        ++tally.refused;
+        return;
+    }
+    addSums(tally.sums, added);
+    if (tally.layers != nullptr) tally.layers->addLight(added, origin);
 }
 
 std::uint32_t PathTracer::rounds() const {
@@ -79,17 +85,18 @@ void PathTracer::countCameraRay(PathTally& tally, const PathState& camera, const
 void PathTracer::follow(std::optional<PathState> state, std::optional<Hit> hit, PathTally& tally) const {
     while (hit) {
         const PathVertex vertex = shade(*state, *hit);
-        add(tally, vertex.emitted);
+        add(tally, vertex.emitted, {state->bounce, emitterGroup(scene_, *hit)});
         if (vertex.direct) {
             ++tally.shadowRays;
-            if (!isOccluded(*state, *vertex.direct)) add(tally, vertex.direct->contribution);
+            if (!isOccluded(*state, *vertex.direct))
+                add(tally, vertex.direct->contribution, {state->bounce + 1, vertex.direct->group});
         }
         state = vertex.next;
         if (!state) return;
         ++tally.pathRays;
         hit = intersect(*state);  // 1
     }
-    add(tally, miss(*state));  // 2
+    add(tally, miss(*state), {state->bounce, scene_.lightGroups.behind});  // 2
 }
 
 void PathTracer::trace(std::uint32_t x, std::uint32_t y, std::uint32_t index, PathTally& tally) const {
@@ -99,8 +106,8 @@ void PathTracer::trace(std::uint32_t x, std::uint32_t y, std::uint32_t index, Pa
     const auto hit = intersect(camera, &cost);
     countCameraRay(tally, camera, hit);
     if (params_.integrator == static_cast<std::uint32_t>(IntegratorId::Cost))
-        return add(tally, camera.throughput * glm::vec3(cost.nodes, cost.triangles, 0));
-    if (!hit) return add(tally, miss(camera));
+        return add(tally, camera.throughput * glm::vec3(cost.nodes, cost.triangles, 0), {});
+    if (!hit) return add(tally, miss(camera), {0, scene_.lightGroups.behind});
     for (; camera.round < rounds(); ++camera.round) follow(camera, hit, tally);
 }
 

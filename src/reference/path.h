@@ -9,6 +9,7 @@
 namespace vkpt::reference {
 
 class LayerTally;
+struct LightOrigin;
 
 /// What paths leave behind: exact sums, and counts for statistics.
 struct PathTally {
@@ -44,7 +45,7 @@ public:
     [[nodiscard]] bool isOccluded(const PathState& state, const DirectLight& direct) const;
 
 private:
-    void add(PathTally& tally, const glm::vec3& contribution) const;
+    void add(PathTally& tally, const glm::vec3& contribution, const LightOrigin& origin) const;
     void countCameraRay(PathTally& tally, const PathState& camera, const std::optional<Hit>& hit) const;
     void follow(std::optional<PathState> state, std::optional<Hit> hit, PathTally& tally) const;
 

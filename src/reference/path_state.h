@@ -29,6 +29,7 @@ struct DirectLight {
     Ray shadowRay;  ///< anything at 0 < t < tMax is in the way
     float tMax = 1;
     glm::vec3 contribution{0};  ///< where nothing is
+    std::uint32_t group = 0;    ///< the light's
 };
 
 /// What a path does where it meets a surface: steps 3 to 7.

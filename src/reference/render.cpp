@@ -93,7 +93,7 @@ Film renderReference(const SceneArrays& scene, const RenderOptions& options, con
                      const ReferenceConfig& config, ReferenceStats* stats) {
     check(options);
     const RenderParams& params = options.params;
-    Film film(params.width, params.height, options.aovs);
+    Film film(params.width, params.height, options.aovs, options.light);
     const std::uint64_t pixels = std::uint64_t{params.width} * params.height;
     const std::uint64_t total = pixels * (options.sampleEnd - options.sampleBegin);
     const auto perPass = static_cast<std::uint32_t>(std::max<std::uint64_t>(1, kPathsPerPass / pixels));

@@ -122,6 +122,7 @@ std::optional<DirectLight> Surface::sampleLight() const {
     direct.contribution /= static_cast<float>(transport_.heuristic.lightSamples());
     direct.contribution = transport_.clamped(direct.contribution, state_.bounce + 1);
     if (isBlack(direct.contribution)) return std::nullopt;
+    if (!scene_.lightGroups.empty()) direct.group = scene_.lightGroups.ofLight[light.light];
     const glm::vec3& origin = originTowards(path->wi);
     direct.shadowRay = {origin, light.infinite ? light.wi : light.end - origin};
     if (light.infinite) direct.tMax = std::numeric_limits<float>::infinity();

@@ -18,7 +18,7 @@ SceneHashes hashScene(const SceneArrays& arrays) {
     const auto& [triangles, vertices, vertexExtras, meshRanges, instances, instanceMesh, materials, bsdfs, albedoTables,
                  textures, texels, lights, lightCdf, lightPower, envTexels, envRows, envColumns, envWidth, envHeight,
                  envLight, envRotation, nodes, rootNode, boundsMin, boundsMax, features, objectNames, materialNames,
-                 droppedTriangles, droppedInstances] = arrays;
+                 punctualNames, lightGroups, droppedTriangles, droppedInstances] = arrays;
     SceneHashes hashes;
     hashes.geometry = ContentHash()
                           .add(triangles)
@@ -38,7 +38,11 @@ SceneHashes hashScene(const SceneArrays& arrays) {
                            .add(textures)
                            .add(texels)
                            .hex();
-    hashes.lights = ContentHash().add(lights).add(lightCdf).hex();
+    ContentHash lightHash;
+    lightHash.add(lights).add(lightCdf);
+    if (!lightGroups.empty())
+        lightHash.add(lightGroups.ofLight).add(lightGroups.ofObject).add(bytesOf(lightGroups.behind));
+    hashes.lights = lightHash.hex();
     ContentHash environment;
     environment.add(envTexels).add(envRows).add(envColumns);
     environment.add(bytesOf(envWidth)).add(bytesOf(envHeight)).add(bytesOf(envLight)).add(bytesOf(envRotation));
@@ -47,14 +51,13 @@ SceneHashes hashScene(const SceneArrays& arrays) {
 }
 
 std::string hashOptions(const RenderOptions& options) {
-    const auto& [params, sampler, sampleBegin, sampleEnd, aovs] = options;
+    const auto& [params, sampler, sampleBegin, sampleEnd, aovs, light] = options;
     const auto& [samplerId, scramble] = sampler;
-    return ContentHash()
-        .add(bytesOf(params))
-        .add(bytesOf(samplerId))
-        .add(bytesOf(scramble))
-        .add(bytesOf(aovs.bits))
-        .hex();
+    ContentHash hash;
+    hash.add(bytesOf(params)).add(bytesOf(samplerId)).add(bytesOf(scramble)).add(bytesOf(aovs.bits));
+    if (!light.empty()) hash.add(bytesOf(light.lengths));
+    for (const std::string& group : light.groups) hash.add(group);
+    return hash.hex();
 }
 
 }  // namespace vkpt

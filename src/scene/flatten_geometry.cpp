@@ -264,7 +264,7 @@ void Writer::placeShared() {
     Box bounds = rangeBoxes_[0];
     if (!plan_.shared.empty()) {
         if (arrays_.meshRanges[0].triangleCount != 0) {
-            arrays_.instances.push_back(instanceRecord(glm::mat4(1), 0));
+            arrays_.instances.push_back(instanceRecord(glm::mat4(1), kNone));
             arrays_.instanceMesh.push_back(0);
         }
         for (const SharedPlacement& place : plan_.shared) {

@@ -10,6 +10,7 @@
 #include "layout.h"
 #include "registry.h"
 #include "scene/aov.h"
+#include "scene/light_layers.h"
 #include "scene/sampler_choice.h"
 
 namespace vkpt {
@@ -38,6 +39,7 @@ struct RenderOptions {
     SamplerChoice sampler;
     std::uint32_t sampleBegin = 0, sampleEnd = 64;  ///< range of sample indices; params.spp is the whole N
     AovSet aovs;                                    ///< layers gathered beside the picture
+    LightLayers light;                              ///< the picture's own light, sorted
 };
 
 /// How a running render talks to its caller. Backends call `progress` between passes from the calling thread

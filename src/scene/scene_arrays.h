@@ -33,13 +33,23 @@ struct MeshRange {
     std::uint32_t firstTriangle = 0, triangleCount = 0;
 };
 
+/// Which of the film's layers takes the light of what. Empty: light is not told apart (scene/light_groups.h).
+struct LightGroups {
+    std::vector<std::string> names;       ///< of the groups
+    std::vector<std::uint32_t> ofLight;   ///< a group for each of SceneArrays::lights
+    std::vector<std::uint32_t> ofObject;  ///< a group for each mesh instance; 0 where it does not emit
+    std::uint32_t behind = 0;             ///< of environment and background
+
+    [[nodiscard]] bool empty() const { return names.empty(); }
+};
+
 struct SceneArrays {
     std::vector<TriangleRecord> triangles;  ///< after buildBvh: in leaf order
     std::vector<VertexRecord> vertices;
     std::vector<VertexExtra> vertexExtras;  ///< empty, or one a vertex
     std::vector<MeshRange> meshRanges;      ///< [0] is the baked geometry, possibly empty
-    /// Empty without instancing; else [0] places meshRanges[0] at identity, unless that range is empty: then no
-    /// instance places it. Every placement has a positive determinant.
+    /// Empty without instancing; else one places meshRanges[0] at identity, unless that range is empty: its object is
+    /// kNone, since its triangles have their own. Every placement has a positive determinant.
     std::vector<InstanceRecord> instances;
     std::vector<std::uint32_t> instanceMesh;  ///< which MeshRange each instance places
     std::vector<MaterialRecord> materials;
@@ -60,6 +70,8 @@ struct SceneArrays {
     glm::vec3 boundsMin{0}, boundsMax{0};  ///< world space, of everything
     SceneFeatures features;
     std::vector<std::string> objectNames, materialNames;
+    std::vector<std::string> punctualNames;  ///< of the lights that are no triangles and no environment, in their order
+    LightGroups lightGroups;
     std::uint64_t droppedTriangles = 0;  ///< without area, or with non-finite corners
     std::uint64_t droppedInstances = 0;  ///< placements of shared meshes by a matrix without an inverse
 };

@@ -95,8 +95,7 @@ void describeHit(Side& side, const SceneArrays& scene, const PathStep& step, con
         return;
     }
     const TriangleRecord& triangle = scene.triangles[step.hit->triangle];
-    const std::uint32_t object =
-        step.hit->instance == kNone ? triangle.object : scene.instances[step.hit->instance].object;
+    const std::uint32_t object = reference::objectOf(scene, *step.hit);
     side.emplace_back("meets", fmt::format("triangle {} of {}", triangle.primitive, nameOf(scene.objectNames, object)));
     side.emplace_back("distance", double{step.hit->t});
     side.emplace_back("position", point.position);

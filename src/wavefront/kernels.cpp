@@ -68,7 +68,10 @@ std::vector<std::uint32_t> specializationOf(const SceneFeatures& f, const SceneH
             header.filterTable != kNone,
             p.lensRadius > 0 && p.projection != kProjectionPanorama,
             f.media,
-            hasNegativeLobes(p.pixelFilter)};
+            hasNegativeLobes(p.pixelFilter),
+            options.film.lengthWord(),
+            std::max(options.film.light().lengths, 1U),
+            options.film.groupWord()};
 }
 
 bool needsNoBsdf(std::uint32_t integrator) {

@@ -45,7 +45,7 @@ enum class StateArray : std::uint32_t {
     Blue,
     ShadowOrigin,   ///< xyz; w: slot of the path. The shadow arrays are indexed by their queue.
     ShadowTarget,   ///< xyz: from the origin to the light; w: tMax
-    ShadowRadiance  ///< xyz
+    ShadowRadiance  ///< xyz; w: group of the light
 };
 
 /// Kernels in the order of a bounce; last the one that follows the intersections of the camera rays where layers are

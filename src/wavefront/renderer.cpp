@@ -62,7 +62,7 @@ void WavefrontRenderer::Impl::renderPass(std::uint32_t firstSample, std::uint32_
 }
 
 Film WavefrontRenderer::Impl::readFilm(std::uint32_t samplesDone) {
-    Film film(options.params.width, options.params.height, options.aovs);
+    Film film(options.params.width, options.params.height, options.aovs, options.light);
     film.ranges = {{options.sampleBegin, options.sampleBegin + samplesDone}};
     const std::size_t words = filmLayout.words();
     for (const FilmBand& b : bands) {
@@ -124,8 +124,8 @@ void WavefrontRenderer::select(std::uint32_t seed, std::uint32_t begin, std::uin
     impl_->writeFrame();
 }
 
-std::vector<FilmSums> WavefrontRenderer::observe(std::uint32_t firstPixel, std::uint32_t pixelCount,
-                                                 const StageObserver& observer) {
+ObservedFilm WavefrontRenderer::observe(std::uint32_t firstPixel, std::uint32_t pixelCount,
+                                        const StageObserver& observer) {
     Impl& r = *impl_;
     const std::uint32_t samples = r.options.sampleEnd - r.options.sampleBegin;
     const auto holdsAll = [&](const Impl::FilmBand& b) {
@@ -144,8 +144,14 @@ std::vector<FilmSums> WavefrontRenderer::observe(std::uint32_t firstPixel, std::
                    .firstSample = r.options.sampleBegin,
                    .sampleCount = samples},
                   stats);
-    return readStorage<FilmSums>(r.device, band->film, (firstPixel - band->band.firstPixel) * sizeof(FilmSums),
-                                 pixelCount);
+    const std::size_t first = firstPixel - band->band.firstPixel, words = r.filmLayout.words();
+    ObservedFilm film;
+    film.sums = readStorage<FilmSums>(r.device, band->film, first * sizeof(FilmSums), pixelCount);
+    if (words > 0)
+        film.layers = readStorage<uvec4>(r.device, band->film,
+                                         band->band.pixelCount * sizeof(FilmSums) + first * words * sizeof(uvec4),
+                                         pixelCount * words);
+    return film;
 }
 
 std::string WavefrontRenderer::memoryPlan() const { return impl_->plan.describe(); }

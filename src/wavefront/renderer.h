@@ -65,6 +65,12 @@ struct WavefrontStats {
     std::uint64_t validationMessages = 0;
 };
 
+/// Some pixels of a film, as a batch left them.
+struct ObservedFilm {
+    std::vector<FilmSums> sums;
+    std::vector<uvec4> layers;  ///< FilmLayout::words() a pixel
+};
+
 /// Renders one scene with one set of options, as often as wanted.
 class WavefrontRenderer {
 public:
@@ -80,10 +86,10 @@ public:
     /// of what may be selected.
     void select(std::uint32_t seed, std::uint32_t begin, std::uint32_t end);
     /// Renders the options' sample range of `pixelCount` pixels from `firstPixel` on (row by row, within one band of
-    /// the film) in one batch, and shows `observer` the device after every kernel. Returns the pixels' sums. Throws
-    /// Error (Usage) where the paths exceed WavefrontConfig::pathsInFlight or the band.
-    [[nodiscard]] std::vector<FilmSums> observe(std::uint32_t firstPixel, std::uint32_t pixelCount,
-                                                const StageObserver& observer);
+    /// the film) in one batch, and shows `observer` the device after every kernel. Throws Error
+    /// (Usage) where the paths exceed WavefrontConfig::pathsInFlight or the band.
+    [[nodiscard]] ObservedFilm observe(std::uint32_t firstPixel, std::uint32_t pixelCount,
+                                       const StageObserver& observer);
     /// What is allocated on the device, a line each.
     [[nodiscard]] std::string memoryPlan() const;
     /// Warnings and errors of the validation layers so far (0 without validation).

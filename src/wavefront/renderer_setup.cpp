@@ -62,7 +62,7 @@ WavefrontRenderer::Impl::Impl(const SceneArrays& arrays, const RenderOptions& re
       config(wavefrontConfig),
       device({config.device, config.validation}),
       layout(planScene(arrays, options.sampler, lastIndex(options), options.params)),
-      filmLayout(options.aovs),
+      filmLayout(options.aovs, options.light),
       capacity(config.pathsInFlight != 0 ? config.pathsInFlight : kDefaultPaths),
       texels(useTexels(device, config.fetch, layout.bytes)),
       stateTexel(useStateTexels(device, config.fetch, stateBytes(capacity))),

@@ -36,6 +36,8 @@ void forEachSection(const SceneArrays& a, Layout& layout, const Visit& visit) {
     visit(h.envColumns, std::as_bytes(std::span(a.envColumns)));
     visit(h.samplerTable, std::as_bytes(std::span(layout.samplerTable)));
     visit(h.filterTable, std::as_bytes(std::span(layout.filterTable)));
+    visit(h.lightGroups, std::as_bytes(std::span(a.lightGroups.ofLight)));
+    visit(h.objectGroups, std::as_bytes(std::span(a.lightGroups.ofObject)));
 }
 
 }  // namespace
@@ -61,6 +63,7 @@ SceneLayout planScene(const SceneArrays& arrays, SamplerChoice sampler, std::uin
     h.envHeight = arrays.envHeight;
     h.envCos = std::cos(arrays.envRotation);
     h.envSin = std::sin(arrays.envRotation);
+    h.groupBehind = arrays.lightGroups.behind;
     return layout;
 }
 

@@ -42,6 +42,8 @@ TEST_F(Merge, RefusesOtherSettingsAndScenes) {
         {{"--fov", "20"}, {"right is"}},
         {{"--background", "1,0,0"}, {"background is 1,0,0 here and env there"}},
         {{"--aov", "albedo"}, {"aov is albedo here and albedo,normal"}},
+        {{"--per-bounce"}, {"perBounce is 9 here and 0 there"}},
+        {{"--light-groups", "all"}, {"lightGroups is [\"light\"] here and [] there"}},
         {{"--env", "studio"}, {"env is studio here and none there"}},
     };
     for (const auto& [options, reasons] : cases) {
@@ -57,7 +59,8 @@ TEST_F(Merge, RefusesOtherSettingsAndScenes) {
                   .code,
               0);
     expectFault(run({"merge", "a.exr", "b.exr", "-o", "ab.exr"}), 4, {"b.exr", "a.exr"});
-    EXPECT_THAT(folder_.files(), ElementsAre("a.exr", "b.exr")) << "nothing was written";
+    EXPECT_THAT(folder_.files(), ElementsAre("a.exr", "b.exr", "b_bounces.png", "b_lights.png"))
+        << "nothing was written";
 }
 
 TEST_F(Merge, RefusesSamplesHeldTwiceAndHoles) {
@@ -96,6 +99,28 @@ TEST_F(Merge, SaysWhenSamplesAreOfTwoBackends) {
     ASSERT_EQ(record.sources.size(), 2U);
     EXPECT_EQ(record.sources[0].samples, (SampleRanges{{0, 2}}));
     EXPECT_EQ(record.sources[1].samples, (SampleRanges{{2, 8}}));
+}
+
+TEST_F(Merge, LayersOfLightMergeAndHaveContactSheets) {
+    const Words light{"--aov", "none", "--per-bounce", "--light-groups", "all"};
+    const auto part = [&](Words more) {
+        more.insert(more.begin(), light.begin(), light.end());
+        render("cpu", more);
+    };
+    part({"-o", "whole.exr"});
+    part({"--samples", "3:8", "-o", "b.exr"});
+    part({"--resume", "r.exr", "--samples", "0:3"});
+    ASSERT_EQ(run({"merge", "b.exr", "r.exr", "-o", "m.exr"}).code, 0);
+    part({"--resume", "r.exr"});
+    for (const char* suffix : {".exr", "_bounces.png", "_lights.png"}) {
+        expectSameFile(std::string("m") + suffix, std::string("whole") + suffix);
+        expectSameFile(std::string("r") + suffix, std::string("whole") + suffix);
+    }
+    const FilmRecord record = readFilm(folder_ / "m.exr");
+    EXPECT_EQ(record.film.layout.light().lengths, 9U);
+    EXPECT_EQ(record.film.layout.light().groups, (std::vector<std::string>{"light"}));
+    part({"-o", "plain.exr", "--no-film"});
+    EXPECT_EQ(bytes("plain_bounces.png"), bytes("whole_bounces.png"));
 }
 
 TEST_F(Merge, DevelopsAFilmAnew) {

@@ -67,6 +67,14 @@ TEST(Parse, Backgrounds) {
     EXPECT_FALSE(parseBackground("black"));
 }
 
+TEST(Parse, LightGroups) {
+    EXPECT_FALSE(parseLightGroups("none")->on);
+    EXPECT_TRUE(parseLightGroups("all")->on);
+    EXPECT_TRUE(parseLightGroups("all")->names.empty());
+    EXPECT_EQ(parseLightGroups("key light,fill")->names, (std::vector<std::string>{"key light", "fill"}));
+    for (const char* text : {"", ",", "a,", ",a", "a,,b"}) EXPECT_FALSE(parseLightGroups(text)) << text;
+}
+
 TEST(Parse, Environments) {
     using Kind = EnvironmentChoice::Kind;
     EXPECT_EQ(parseEnvironment("none")->kind, Kind::None);

@@ -28,9 +28,9 @@ namespace fs = std::filesystem;
 constexpr std::uint32_t kWidth = 5, kHeight = 3;
 
 /// Random words wherever a file stores one.
-FilmRecord randomRecord(AovSet aovs, std::uint32_t seed = 1) {
+FilmRecord randomRecord(AovSet aovs, std::uint32_t seed = 1, const LightLayers& light = {}) {
     std::mt19937 generator(seed);
-    Film film(kWidth, kHeight, aovs);
+    Film film(kWidth, kHeight, aovs, light);
     for (const FilmChannel& channel : filmChannels(film))
         for (std::size_t i = 0; i < film.sums.size(); ++i)
             *reinterpret_cast<std::uint32_t*>(const_cast<char*>(reinterpret_cast<const char*>(channel.first) +
@@ -39,9 +39,9 @@ FilmRecord randomRecord(AovSet aovs, std::uint32_t seed = 1) {
     film.ranges = {{0, 32}, {48, 60}};
     film.refused = 7;
     film.refusedInLayers = 9;
-    return {film,
-            {{"size", "5x3"}, {"spp", 64}, {"seed", 3}, {"aov", aovsText(aovs)}},
-            {{{{0, 32}}, "cpu", "CPU reference", ""}, {{{48, 60}}, "vulkan", "llvmpipe", "Mesa"}}};
+    Json settings{{"size", "5x3"}, {"spp", 64}, {"seed", 3}, {"aov", aovsText(aovs)}};
+    if (!light.empty()) settings.update({{"perBounce", light.lengths}, {"lightGroups", light.groups}});
+    return {film, settings, {{{{0, 32}}, "cpu", "CPU reference", ""}, {{{48, 60}}, "vulkan", "llvmpipe", "Mesa"}}};
 }
 
 class FilmFile : public testing::Test {
@@ -84,6 +84,39 @@ TEST_F(FilmFile, ReadsBackBitForBit) {
         EXPECT_EQ(read.film.refusedInLayers, 9U);
         EXPECT_EQ(read.settings, record.settings);
         EXPECT_EQ(read.sources, record.sources);
+    }
+}
+
+TEST_F(FilmFile, LayersOfLightReadBackAndHavePartsOfTheirOwn) {
+    const FilmRecord record = randomRecord(*parseAovs("depth"), 1, {3, {"key light", "fill"}});
+    const fs::path path = write(record);
+    const FilmRecord read = readFilm(path);
+    EXPECT_EQ(read.film.layers, record.film.layers);
+    EXPECT_EQ(read.film.layout.light(), record.film.layout.light());
+    Imf::MultiPartInputFile file(path.c_str());
+    std::string names;
+    for (int part = 0; part < file.parts(); ++part) names += file.header(part).name() + " ";
+    EXPECT_EQ(names, "Combined depth emission direct bounce1 light_key_light light_fill vkpt.film ");
+    EXPECT_NE(file.header(5).channels().findChannel("light_key_light.R"), nullptr);
+    EXPECT_NE(file.header(7).channels().findChannel("vkpt.film.length2.B2"), nullptr);
+    EXPECT_NE(file.header(7).channels().findChannel("vkpt.film.group1.R0"), nullptr);
+    Film other(kWidth, kHeight, *parseAovs("depth"), {3, {"key light"}});
+    EXPECT_THROW(addFilm(other, record.film), Error);
+}
+
+TEST_F(FilmFile, RefusesLayersOfLightThatCannotBe) {
+    const std::pair<Json, const char*> cases[] = {
+        {{{"perBounce", 17}}, "more layers of light"},
+        {{{"perBounce", -1}}, ""},
+        {{{"perBounce", "all"}}, "perBounce"},
+        {{{"perBounce", 1}}, "vkpt.film.length0"},
+        {{{"lightGroups", Json::array({1})}}, "lightGroups"},
+        {{{"lightGroups", std::vector<std::string>(65, "x")}}, "more layers of light"},
+    };
+    for (const auto& [settings, reason] : cases) {
+        FilmRecord record = randomRecord({});
+        record.settings.update(settings);
+        expectRefused(write(record), reason);
     }
 }
 

@@ -63,6 +63,7 @@ TEST(HashScene, EveryArrayCounts) {
     expectAlters(materials, "one more", [](auto& a) { a.texels.push_back(0); });
     expectAlters(lights, "lights", [](auto& a) { a.lights[1].index = 1; });
     expectAlters(lights, "lightCdf", [](auto& a) { a.lightCdf[1] = 1; });
+    expectAlters(lights, "lightGroups", [](auto& a) { a.lightGroups = {{"lamp"}, {0}, {}, 0}; });
     expectAlters(environment, "envTexels", [](auto& a) { a.envTexels[1].w = 1; });
     expectAlters(environment, "envRows", [](auto& a) { a.envRows[1] = 1; });
     expectAlters(environment, "envColumns", [](auto& a) { a.envColumns[1] = 1; });

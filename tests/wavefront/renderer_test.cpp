@@ -95,7 +95,7 @@ TEST(Renderer, ObservedBatchesGiveTheSumsOfTheFilm) {
     const Film film = renderer.render({});
     std::vector<Stage> stages;
     std::uint32_t rays = 0;
-    const auto sums = renderer.observe(24, 48, [&](const StageSnapshot& snapshot) {
+    const auto [sums, layers] = renderer.observe(24, 48, [&](const StageSnapshot& snapshot) {
         stages.push_back(snapshot.stage);
         if (snapshot.stage == Stage::Generate) rays = snapshot.queueSize(0, Queue::Ray);
         if (snapshot.stage != Stage::Intersect) return;
@@ -109,6 +109,7 @@ TEST(Renderer, ObservedBatchesGiveTheSumsOfTheFilm) {
     EXPECT_EQ(stages.size(), 2 + 4 * 6 - 1U) << "six bounces, the last without a shadow stage";
     ASSERT_EQ(sums.size(), 48U);
     EXPECT_EQ(std::memcmp(sums.data(), film.sums.data() + 24, sums.size() * sizeof(FilmSums)), 0);
+    EXPECT_TRUE(layers.empty());
     EXPECT_TRUE(isSame(renderer.render({}), film)) << "and change nothing afterwards";
     EXPECT_THROW((void)renderer.observe(24, 24 * 20, {}), Error) << "beyond the film";
 }

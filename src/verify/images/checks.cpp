@@ -1,5 +1,6 @@
 #include "verify/images.h"
 
+#include "film/light_images.h"
 #include "verify/context.h"
 #include "verify/replay.h"
 
@@ -26,6 +27,20 @@ void tellMean(Findings& f, const MeanComparison& c) {
              fmt::format("{:+.3f} %", 100 * difference));
 }
 
+/// Layers of light, pixel by pixel: their means stay within the errors that parted paths explain.
+void compareLight(const std::vector<LightImage>& device, const std::vector<LightImage>& reference, Findings& f) {
+    for (std::size_t layer = 0; layer < device.size(); ++layer) {
+        PathDifferences d;
+        d.add(device[layer].image, reference[layer].image, 0);
+        double worst = 0;
+        for (int c = 0; c < 3; ++c) worst = std::max(worst, d.meanShare(c));
+        f.figure("layer " + device[layer].name, worst, fmt::format("{:.2f} of what its mean may be off by", worst));
+        if (worst > 1 && d.worst())
+            f.disagree("layer " + device[layer].name, fmt::format("pixel {},{}", d.worst()->x, d.worst()->y),
+                       fmt::format("its mean is off by {:.3g} times three standard errors", worst));
+    }
+}
+
 }  // namespace
 
 void checkSameSeed(VerifyContext& context, Findings& f) {
@@ -50,6 +65,8 @@ void checkSameSeed(VerifyContext& context, Findings& f) {
                        fmt::format("{:.3g} in channel {}, where three standard errors are {:.3g}", d.meanDifference(c),
                                    channelName(static_cast<std::uint32_t>(c)), allowed));
     }
+    compareLight(lengthImages(images.device), lengthImages(images.reference), f);
+    compareLight(groupImages(images.device), groupImages(images.reference), f);
 }
 
 void checkOtherSeeds(VerifyContext& context, Findings& f) {

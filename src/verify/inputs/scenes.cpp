@@ -99,6 +99,8 @@ Scene makeLamps() {
     addObject(scene, makeQuad({-1, 2, -1}, {1, 0, 0}, {0, 0, 1}, 1));
     addObject(scene, makeQuad({1, 1, -1}, {0, 1, 0}, {0.3F, 0, 1}, 2));
     addObject(scene, makeQuad({-2, 0.5F, -2}, {1.5F, 0, 0}, {0, 1, 0.2F}, 3));
+    scene.instances[1].name = "ceiling";
+    scene.instances[2].name = "wall";
     const auto add = [&](PunctualKind kind, const glm::vec3& at, const glm::vec3& intensity, float range) {
         PunctualLight light;
         light.kind = kind;

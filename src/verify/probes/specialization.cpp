@@ -23,7 +23,7 @@ std::uint32_t expectedBeta(const RenderParams& p) {
 }
 
 /// All constants by name, in the order in which the probe writes them.
-std::array<Named, 41> namesAndValues(const Constants& c) {
+std::array<Named, 44> namesAndValues(const Constants& c) {
     const auto& [f, h, o] = c;
     const auto flag = [](bool b) { return b ? 1U : 0U; };
     return {Named{"kSampler", static_cast<std::uint32_t>(o.sampler.id)},
@@ -66,7 +66,10 @@ std::array<Named, 41> namesAndValues(const Constants& c) {
             {"kHasFilter", flag(h.filterTable != kNone)},
             {"kHasLens", flag(o.params.lensRadius > 0 && o.params.projection != kProjectionPanorama)},
             {"kHasMedia", flag(f.media)},
-            {"kHasNegativeLobes", flag(o.params.pixelFilter == kFilterMitchell)}};
+            {"kHasNegativeLobes", flag(o.params.pixelFilter == kFilterMitchell)},
+            {"kLengthWord", o.film.lengthWord()},
+            {"kLengthLayers", std::max(o.film.light().lengths, 1U)},
+            {"kGroupWord", o.film.groupWord()}};
 }
 
 /// Round `bit` of a set in which no two flags are the same in all rounds; the numbers differ in any.
@@ -87,7 +90,7 @@ Constants makeConstants(std::uint32_t bit) {
     o.sampler = {static_cast<SamplerId>(7), static_cast<ScrambleId>(5)};
     o.lastIndex = 0xabc;  // three hexadecimal digits
     o.setSamples = 77;
-    if (bit % 2 == 0) o.film = FilmLayout(kAllAovs);
+    if (bit % 2 == 0) o.film = FilmLayout(kAllAovs, {7, {"a", "b"}});
     RenderParams& p = o.params;
     p.integrator = static_cast<std::uint32_t>(bit % 2 == 0 ? IntegratorId::Direct : IntegratorId::LightProbability);
     p.strategy = bit == 3 ? kStrategyMisBalance : kStrategyMisPower;

@@ -1,3 +1,4 @@
+#include "scene/light_groups.h"
 #include "verify/context.h"
 #include "verify/inputs/scenes.h"
 #include "verify/stages.h"
@@ -6,8 +7,11 @@
 namespace vkpt {
 namespace {
 
+constexpr std::uint32_t kSomeLengths = 4;  ///< fewer than the paths of makeOptions have: the last takes more than one
+
 void walk(VerifyContext& context, Findings& findings, const SceneArrays& arrays, const std::string& what) {
-    const RenderOptions options = makeOptions(64, 48, 2);
+    RenderOptions options = makeOptions(64, 48, 2);
+    if (!arrays.lightGroups.empty()) options.light = {kSomeLengths, arrays.lightGroups.names};
     WavefrontConfig config = context.config().wavefront;
     config.pathsInFlight = options.params.width * options.params.height * 2;
     WavefrontRenderer renderer(arrays, options, config);
@@ -28,7 +32,9 @@ void checkShadow(VerifyContext& context, Findings& f) { f = context.stages().fin
 void checkAccumulate(VerifyContext& context, Findings& f) { f = context.stages().findings(Stage::Accumulate); }
 
 void checkEveryFeature(VerifyContext& context, Findings& findings) {
-    walk(context, findings, makeEverything(true), "every feature");
+    SceneArrays arrays = makeEverything(true);
+    groupLights(arrays, {true, {}}, false, "every feature");
+    walk(context, findings, arrays, "every feature");
 }
 
 void checkEveryBsdf(VerifyContext& context, Findings& findings) {

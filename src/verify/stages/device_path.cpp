@@ -68,10 +68,9 @@ glm::dvec3 addedTo(const PathSums& before, const PathSums& now) {
 DeviceShadow shadowOf(const StageSnapshot& device, std::uint32_t item) {
     const uvec4& origin = device.word(StateArray::ShadowOrigin, item);
     const glm::vec4 target = floats(device.word(StateArray::ShadowTarget, item));
+    const uvec4& radiance = device.word(StateArray::ShadowRadiance, item);
     return {origin.w,
-            {{glm::vec3(floats(origin)), glm::vec3(target)},
-             target.w,
-             glm::vec3(floats(device.word(StateArray::ShadowRadiance, item)))}};
+            {{glm::vec3(floats(origin)), glm::vec3(target)}, target.w, glm::vec3(floats(radiance)), radiance.w}};
 }
 
 }  // namespace vkpt

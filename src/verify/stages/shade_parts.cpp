@@ -36,6 +36,7 @@ void addDirect(Parts& parts, const reference::DirectLight& direct, double magnit
     parts.push_back({directional ? "direction of the light" : "way to the light", way,
                      directional ? kDirection : kPosition * size});
     parts.push_back({"light sample", direct.contribution, kDimSample, kWeight});
+    parts.push_back({"light's group", glm::dvec3(direct.group)});
 }
 
 void addNext(Parts& parts, const reference::PathState& next, double magnitude, double cosine) {

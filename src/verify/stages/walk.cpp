@@ -26,11 +26,13 @@ StageWalk::StageWalk(const SceneArrays& scene, const RenderOptions& options, std
       params_(options.params),
       mostExcused_(mostExcused(options.sampler)),
       paths_(scene, options),
+      light_(scene, options),
       what_(std::move(what)) {}
 
 void StageWalk::run(WavefrontRenderer& renderer, std::uint32_t firstPixel, std::uint32_t pixelCount) {
     const auto film = renderer.observe(firstPixel, pixelCount, [this](const StageSnapshot& now) {
         see(now);
+        light_.see(paths_, before_, now);
         before_ = now;
     });
     accumulate(before_, film);
@@ -272,7 +274,7 @@ void StageWalk::shadow(const StageSnapshot& now) {
     compareUntouched(f, now, touched);
 }
 
-void StageWalk::accumulate(const StageSnapshot& now, const std::vector<FilmSums>& film) {
+void StageWalk::accumulate(const StageSnapshot& now, const ObservedFilm& film) {
     Findings& f = of(Stage::Accumulate);
     const auto where = scope(f, 0);
     constexpr U128 kModulus = U128{1} << 96U;
@@ -287,11 +289,12 @@ void StageWalk::accumulate(const StageSnapshot& now, const std::vector<FilmSums>
     }
     for (std::uint32_t pixel = 0; pixel < now.batch.pixelCount; ++pixel) {
         f.at(std::size_t{pixel} * now.batch.sampleCount);
-        const FilmSums& sums = film[pixel];
+        const FilmSums& sums = film.sums[pixel];
         f.holds("film", PathSums{wide(sums.red), wide(sums.green), wide(sums.blue)} == expected[pixel],
                 "is not the sum of its paths");
         f.equal("alpha", sums.red.w, alpha[pixel]);
     }
+    light_.compare(f, film, now.batch.sampleCount);
     f.equal("refused contributions", now.counters[kRefusedCounter], 0U);
 }
 

@@ -7,6 +7,7 @@
 #include "verify/findings.h"
 #include "verify/stages/device_path.h"
 #include "verify/stages/hits.h"
+#include "verify/stages/light_walk.h"
 #include "verify/stages/rounding.h"
 #include "wavefront/renderer.h"
 
@@ -33,7 +34,7 @@ private:
     void miss(const StageSnapshot& now);
     void shade(const StageSnapshot& now);
     void shadow(const StageSnapshot& now);
-    void accumulate(const StageSnapshot& now, const std::vector<FilmSums>& film);
+    void accumulate(const StageSnapshot& now, const ObservedFilm& film);
 
     void compareQueue(Findings& findings, std::string_view name, std::vector<std::uint32_t> actual,
                       std::vector<std::uint32_t> expected);
@@ -51,6 +52,7 @@ private:
     const RenderParams& params_;
     double mostExcused_;
     DevicePaths paths_;
+    LightWalk light_;
     std::string what_;
     StageSnapshot before_;
     HitCounts hits_;
