@@ -1,4 +1,4 @@
-// tools/figures: its pages of the syllabus and its ranking of samplers, from the program that this build made.
+// tools/figures: its pages of the syllabus and what it measures, from the program that this build made.
 #include <gmock/gmock.h>
 #include <sys/wait.h>
 
@@ -66,6 +66,16 @@ TEST(Figures, QuickPageShowsTheSyllabusOnSampling) {
         EXPECT_THAT(page.text, HasSubstr(shown));
 }
 
+TEST(Figures, FullQuickPageShowsTheSyllabusOnLightTransport) {
+    const Page page = makePage("transport");
+    EXPECT_GE(page.pictures, 10U);
+    for (const char* shown :
+         {"MIS, balance heuristic", "blue: light sampling errs less", "cosine, 16 spp", "path: 6", "all added",
+          "all light: both added: counted twice", "uniform, 256; from above", "sky_with_sun: irradiance from above",
+          "importance, 8 spp", "closed room, --rr off, --max-depth 16", "dark walls, 0.2: fixed:0.5"})
+        EXPECT_THAT(page.text, HasSubstr(shown));
+}
+
 TEST(Figures, FullQuickPageShowsTheSyllabusOnBsdfs) {
     const Page page = makePage("bsdfs");
     EXPECT_GE(page.pictures, 12U);
@@ -91,6 +101,20 @@ TEST(Figures, FullMeasureRanksEverySampler) {
     }
     for (const SamplerInfo& sampler : kSamplers)
         EXPECT_GT(ranks.at("cost").at("64").at(std::string(sampler.name)).at("cpuSecondsAMillionPaths"), 0.0);
+}
+
+TEST(Figures, FullMeasureTellsTheEfficiencyOfPathTracing) {
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder / "transport.json";
+    ASSERT_EQ(runFigures("--quick --measure --part transport -o '" + file.string() + "'", folder / "log"), 0)
+        << readText(folder / "log");
+    for (const Json& row : Json::parse(readText(file)).at("scenes").at("cornell_box")) {
+        EXPECT_GT(row.at("trimmed"), 0.0);
+        EXPECT_LT(row.at("trimmed"), row.at("relMSE"));
+        EXPECT_LT(row.at("relMSE"), 1.0) << "4 samples or more";
+        EXPECT_DOUBLE_EQ(row.at("relMSESeconds"), row.at("relMSE").get<double>() * row.at("seconds").get<double>());
+    }
+    EXPECT_THAT(readText(folder / "log"), HasSubstr("| cornell_box, 4 spp |"));
 }
 
 }  // namespace

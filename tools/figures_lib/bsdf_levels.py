@@ -70,7 +70,7 @@ def surface_file(folder, cells, alpha, angles):
     return scenes.write(folder, g)
 
 
-def write_sky(path, lamp, sky):
+def write_sky(path, lamp, sky, radius=LAMP_RADIUS):
     """A disk of radiance `lamp` beyond -Z, LAMP_ANGLE from the zenith, on a sky that grows lighter downwards, `sky` at
     the horizon; equirectangular, as Radiance's RGBE."""
     height = 256
@@ -79,7 +79,7 @@ def write_sky(path, lamp, sky):
     tilt = np.radians(LAMP_ANGLE)
     towards = -np.sin(theta) * np.sin(phi) * np.sin(tilt) + np.cos(theta) * np.cos(tilt)
     color = np.array(sky) * (0.3 + 0.7 * np.sin(theta)[..., None] ** 4)
-    color = np.where(towards[..., None] > np.cos(np.radians(LAMP_RADIUS)), lamp, color)
+    color = np.where(towards[..., None] > np.cos(np.radians(radius)), lamp, color)
     mantissa, exponent = np.frexp(np.maximum(color.max(2), 1e-9))
     texels = np.concatenate([color * (256 * mantissa / np.maximum(color.max(2), 1e-9))[..., None],
                              (exponent + 128)[..., None]], 2)

@@ -3,6 +3,7 @@ import base64
 import collections
 import html
 import io
+import pathlib
 
 import matplotlib
 
@@ -23,7 +24,17 @@ def figure(plot):
     alternative = html.escape("; ".join(filter(None, (axes.get_title() for axes in plot.axes))), quote=True)
     plot.savefig(data, format="png", dpi=110, bbox_inches="tight")
     plt.close(plot)
-    return f'<img alt="{alternative}" src="data:image/png;base64,{base64.b64encode(data.getvalue()).decode()}">'
+    return element(data.getvalue(), alternative)
+
+
+def element(png, alternative, more=""):
+    """An image element; `alternative` as HTML."""
+    return f'<img alt="{alternative}"{more} src="data:image/png;base64,{base64.b64encode(png).decode()}">'
+
+
+def image_file(path, alternative):
+    """A PNG file as an image element of half the width, so that two stand side by side."""
+    return element(pathlib.Path(path).read_bytes(), html.escape(alternative, quote=True), ' style="width:49%"')
 
 
 def table(header, rows):

@@ -39,13 +39,17 @@ def read_pfm(path):
     return data[::-1].astype(np.float64)
 
 
+def scene_file(scene):
+    """Of a bundled scene by its name, or a path."""
+    return ROOT / "scenes" / scene / "scene.gltf" if "/" not in str(scene) else scene
+
+
 def render(folder, scene, size, spp, sampler, seed=0, *more):
     """`size`: of a square, or (width, height)."""
     width, height = size if isinstance(size, tuple) else (size, size)
     target = pathlib.Path(folder) / f"{threading.get_ident()}.pfm"
-    file = ROOT / "scenes" / scene / "scene.gltf" if "/" not in str(scene) else scene
-    run("render", file, "--size", f"{width}x{height}", "--spp", spp, "--sampler", sampler, "--seed", seed, "-q",
-        "-o", target, *more)
+    run("render", scene_file(scene), "--size", f"{width}x{height}", "--spp", spp, "--sampler", sampler, "--seed", seed,
+        "-q", "-o", target, *more)
     return read_pfm(target)
 
 
