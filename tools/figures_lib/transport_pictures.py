@@ -1,4 +1,5 @@
 """Sections of pictures of light transport: strategies, directions by the cosine, lengths of paths, double counting."""
+import pathlib
 import tempfile
 
 import matplotlib.pyplot as plt
@@ -104,11 +105,14 @@ def ambient_occlusion(quick):
 
 # ---- lengths of paths -------------------------------------------------------------------------------------------
 
-def path_layers(folder, scene, size, spp, quick, most):
-    """Light by length of path, 0 to `most`, and the render of all. The random numbers of a bounce do not depend on
-    --max-depth, so that renders of one seed differ by the longest paths alone."""
-    up_to = [render(folder, scene, size, spp, quick, "--max-depth", depth, "--rr", "off") for depth in range(most + 1)]
-    return [up_to[0], *(image - shorter for shorter, image in zip(up_to, up_to[1:]))], up_to[-1]
+def path_layers(scene, size, spp, quick, most):
+    """Light by length of path, 0 to `most`, and the picture of all, from one render."""
+    with tempfile.TemporaryDirectory() as name:
+        target = pathlib.Path(name) / "layers.exr"
+        render(name, scene, size, spp, quick, "--max-depth", most, "--rr", "off", "--per-bounce", "--no-film", "-o",
+               target)
+        layers = vkpt.read_layers(target)
+    return layers.pop("Combined"), list(layers.values())
 
 
 def gain(layer, standard):
@@ -117,9 +121,8 @@ def gain(layer, standard):
 
 
 def path_lengths(quick):
-    size, spp, most = ((40, 40), 16, 6) if quick else ((256, 256), 256, 6)
-    with tempfile.TemporaryDirectory() as folder:
-        layers, everything = path_layers(folder, "cornell_box", size, spp, quick, most)
+    size, spp, most = ((40, 40), 16, 6) if quick else ((256, 256), 512, 6)
+    everything, layers = path_layers("cornell_box", size, spp, quick, most)
     plot, axes = sheet(2, 4, size, 2.7)
     rows = []
     for length, (axis, layer) in enumerate(zip(axes.flat, layers)):
@@ -128,13 +131,14 @@ def path_lengths(quick):
         rows.append([f"path: {length}", f"{layer.mean():.5f}", f"{layer.mean() / everything.mean():.2%}"])
     total = np.sum(layers, axis=0)
     picture(axes[1, 3], shown(total), "all added")
-    rows.append(["all added", f"{total.mean():.5f}", "100 %"])
-    rows.append([f"rendered with --max-depth {most}", f"{everything.mean():.5f}", ""])
+    rows.append(["all added", f"{total.mean():.5f}", f"{total.mean() / everything.mean():.2%}"])
+    rows.append(["the picture itself", f"{everything.mean():.5f}", "100.00%"])
+    rows.append(["largest difference of the two, a pixel", f"{np.abs(total - everything).max():.1e}", ""])
     return Section("Light by length of path, and the sum",
-                   "Path 0 is the lamp as the camera sees it, path 1 direct light with its hard-edged shadows, path 2 "
-                   "what has met one more surface: the ceiling appears, and red and green bleed onto the blocks. Every "
-                   "further bounce is dimmer and softer, and takes on the colours of the walls. The rendering "
-                   "equation, unrolled, is the sum.",
+                   "Path 0 is the lamp as the camera sees it, path 1 direct light with its black shadows, path 2 what has "
+                   "met one more surface: the ceiling appears, and red and green bleed onto the blocks. Every further "
+                   "bounce is dimmer and softer, and takes on the colours of the walls. The rendering equation, "
+                   "unrolled, is the sum. The layers are those of --per-bounce.",
                    figure(plot) + table(["cornell_box", "mean radiance, nits", "share"], rows))
 
 
@@ -153,7 +157,7 @@ def counted_twice(folder, size, spp, quick, depth):
 
 
 def double_counting(quick):
-    size, spp = ((40, 40), 64) if quick else ((256, 256), 256)
+    size, spp = ((40, 40), 64) if quick else ((256, 256), 128)
     titles = ("met by chance", "by light samples", "both added: counted twice", "right")
     rows = []
     plot, axes = sheet(2, 4, size, 2.7)

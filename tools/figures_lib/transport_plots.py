@@ -169,7 +169,7 @@ def truncation(quick):
                 for depth in (2, 8, depths[-1]):
                     k = depths.index(depth)
                     rows.append([f"{title.split(',')[0]}, --rr {name}, --max-depth {depth}", f"{means[k]:.4f}",
-                                 f"{errors[k]:.4f}", f"{means[k] / limit - 1:+.2%}", f"{rays[k]:.2f}"])
+                                 f"{errors[k]:.4f}", f"{round(means[k] / limit - 1, 4) + 0.0:+.2%}", f"{rays[k]:.2f}"])
             axis.set(xlabel="--max-depth", title=title, ylabel="mean radiance, nits", ylim=(0, None))
     exact = (1 - WALL ** (np.array(depths) + 1)) / (1 - WALL)
     axes[0].plot(depths, exact, color="#000", lw=0.8, ls=":", label="(1 − a^(D+1)) / (1 − a)", zorder=5)
@@ -218,7 +218,7 @@ def seconds(options, size, spp, quick):
 
 
 def roulette_efficiency(quick):
-    size, spp, seeds = (24, 16, 4) if quick else (128, 16, 16)
+    size, spp, seeds = (24, 16, 4) if quick else (96, 16, 12)
     depth = ("--max-depth", 64)
     plot, axes = plt.subplots(1, len(ROOMS), figsize=(12.6, 3.6), sharey=True)
     rows = []

@@ -6,6 +6,7 @@ import subprocess
 import threading
 
 import numpy as np
+import OpenImageIO
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 VKPT = os.environ.get("VKPT") or ROOT / "build" / "release" / "src" / "vkpt"  # which tools/figures has built
@@ -37,6 +38,15 @@ def read_pfm(path):
         channels = 3 if kind == b"PF" else 1
         data = np.frombuffer(file.read(), "<f4" if scale < 0 else ">f4").reshape(height, width, channels)
     return data[::-1].astype(np.float64)
+
+
+def read_layers(path):
+    """The parts of an EXR file by name, R, G and B of each."""
+    layers = {}
+    for index in range(OpenImageIO.ImageBuf(str(path)).nsubimages):
+        part = OpenImageIO.ImageBuf(str(path), index, 0)
+        layers[part.spec()["oiio:subimagename"]] = part.get_pixels(OpenImageIO.FLOAT)[..., :3].astype(np.float64)
+    return layers
 
 
 def scene_file(scene):
