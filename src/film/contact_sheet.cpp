@@ -46,8 +46,9 @@ struct SheetGrid {
 SheetGrid gridOf(std::int64_t tiles, std::uint32_t width, std::uint32_t height) {
     const std::uint32_t most = tiles > kManyTiles ? kSmallTile : kMostTile;
     SheetGrid grid{};
-    grid.shrink = (width + most - 1) / most;
-    grid.enlarge = (kLeastTile + width - 1) / width;
+    const std::uint32_t longest = std::max(width, height);
+    grid.shrink = (longest + most - 1) / most;
+    grid.enlarge = std::clamp((kLeastTile + width - 1) / width, 1U, std::max(most / longest, 1U));
     grid.tileWidth = std::int64_t{std::max(width / grid.shrink, 1U)} * grid.enlarge;
     grid.tileHeight = std::int64_t{std::max(height / grid.shrink, 1U)} * grid.enlarge;
     double nearest = std::numeric_limits<double>::infinity();
@@ -68,6 +69,7 @@ SheetGrid gridOf(std::int64_t tiles, std::uint32_t width, std::uint32_t height) 
 /// As much of a name as finds room.
 std::string fitted(std::string text, std::int64_t width) {
     if (textWidth(text, kTextScale) <= width) return text;
+    text.resize(std::min(text.size(), static_cast<std::size_t>(width / (kGlyphAdvance * kTextScale))));
     while (!text.empty() && textWidth(text + "..", kTextScale) > width) text.pop_back();
     return text + "..";
 }

@@ -15,7 +15,7 @@ struct Fault {
     int number = 0;  ///< place in the list
     std::string name, about, file, right, broken;
     std::string check;     ///< that must name it
-    std::string needs;     ///< option or feature without which the broken code does not run; empty: none
+    std::string needs;     ///< feature (of the reference: option) without which the broken code does not run; or empty
     std::string survives;  ///< why none can; empty where one must
     std::string chosen;    ///< "before" or "after" the verifier was frozen
     bool quick = false;

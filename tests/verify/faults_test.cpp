@@ -143,8 +143,9 @@ Ended runFaulty(const Fault& fault) {
     const VerifyConfig config = testConfig(false);
     const std::string device = config.wavefront.device.empty() ? "" : " --device '" + config.wavefront.device + "'";
     const std::string command = fmt::format(
-        "VKPT_PLANTED_FAULT={} '{}' verify '{}/cornell_box/scene.gltf' --size 48x32 --spp 2 --replicates 8 -q{} 2>&1",
-        fault.number, VKPT_FAULTY, VKPT_SCENES, device);
+        "VKPT_PLANTED_FAULT={} '{}' verify '{}/cornell_box/scene.gltf' --size 48x32 --spp 2 --replicates 8 -q{} {} "
+        "2>&1",
+        fault.number, VKPT_FAULTY, VKPT_SCENES, device, fault.needs);
     Ended run;
     FILE* pipe = popen(command.c_str(), "r");
     if (pipe == nullptr) return run;
