@@ -81,12 +81,13 @@ is_configured() {
         grep -qsxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$root/build/$1/CMakeCache.txt"
 }
 
-# configure PRESET [-DNAME=VALUE…]: quiet unless it fails.
+# configure PRESET [-DNAME=VALUE…]: quiet unless it fails. Several sources are compiled as one, in half the time; who
+# configures by hand (cmake --preset release) compiles each by itself.
 configure() {
     local log fresh=()
     log=$(mktemp)
     is_configured "$1" || fresh=(--fresh)
-    if ! (cd "$root" && cmake "${fresh[@]}" --preset "$@") >"$log" 2>&1 9>&-; then
+    if ! (cd "$root" && cmake "${fresh[@]}" --preset "$1" -DCMAKE_UNITY_BUILD=ON "${@:2}") >"$log" 2>&1 9>&-; then
         cat "$log" >&2
         rm -f "$log"
         fail 70 "configuring failed (above)"

@@ -14,12 +14,12 @@
 namespace vkpt {
 namespace {
 
-constexpr double kPi = std::numbers::pi, kPanel = 250, kGap = 30, kTitle = 40, kPicture = 240;
+constexpr double kPanel = 250, kSpace = 30, kHeading = 40, kPicture = 240;
 constexpr double kAngles[] = {0, 30, 60, 80};  ///< of wo, degrees
 constexpr std::size_t kLobePanels = std::size(kAngles);
 
 glm::dvec3 inPlane(double degrees) {
-    const double t = degrees * kPi / 180;
+    const double t = degrees * std::numbers::pi / 180;
     return {std::sin(t), 0, std::cos(t)};
 }
 
@@ -128,27 +128,27 @@ Drawing drawBsdfs(const std::vector<PicturedBsdf>& bsdfs) {
     const bool bothSides = std::ranges::any_of(bsdfs, [](const PicturedBsdf& p) { return p.bsdf->transmits(); });
     const double lobeHeight = (bothSides ? 1 : 0.5) * kPanel;
     Drawing d;
-    d.width = kGap + kLobePanels * (kPanel + kGap);
-    d.height = 2 * kTitle + lobeHeight + kGap + static_cast<double>(bsdfs.size()) * (kPicture + kTitle + kGap);
+    d.width = kSpace + kLobePanels * (kPanel + kSpace);
+    d.height = 2 * kHeading + lobeHeight + kSpace + static_cast<double>(bsdfs.size()) * (kPicture + kHeading + kSpace);
     for (std::size_t i = 0; i < kLobePanels; ++i) {
-        const Plot plot{kGap + kPanel / 2 + static_cast<double>(i) * (kPanel + kGap), 1.5 * kTitle + kPanel / 2,
+        const Plot plot{kSpace + kPanel / 2 + static_cast<double>(i) * (kPanel + kSpace), 1.5 * kHeading + kPanel / 2,
                         kPanel / 2};
         drawLobePanel(d, plot, kAngles[i], bsdfs, bothSides);
     }
-    double y = 2 * kTitle + lobeHeight;
-    d.text(kGap, y, "f |cos| in the plane of incidence, radius: cube root over that of the largest value", 12,
+    double y = 2 * kHeading + lobeHeight;
+    d.text(kSpace, y, "f |cos| in the plane of incidence, radius: cube root over that of the largest value", 12,
            Align::Left, kGrey);
-    y += kGap;
+    y += kSpace;
     for (std::size_t i = 0; i < bsdfs.size(); ++i) {
         const PicturedBsdf& p = bsdfs[i];
-        d.line(kGap, y + 8, kGap + 16, y + 8, 2.4, inkOf(i));
-        d.text(kGap + 24, y + 12, p.name, 13);
-        y += kTitle / 2;
+        d.line(kSpace, y + 8, kSpace + 16, y + 8, 2.4, inkOf(i));
+        d.text(kSpace + 24, y + 12, p.name, 13);
+        y += kHeading / 2;
         constexpr std::uint32_t kPixels = 120, kSamples = 128;
-        drawHemisphere(d, p.bsdf->seenFrom<double>(true), kGap, y, kPicture);
-        drawImage(d, renderBsdfSphere(p.bsdf->spec(), p.multiscatter, kPixels, kSamples), 2 * kGap + kPicture + 100, y,
-                  kPicture);
-        y += kPicture + kTitle / 2 + kGap;
+        drawHemisphere(d, p.bsdf->seenFrom<double>(true), kSpace, y, kPicture);
+        drawImage(d, renderBsdfSphere(p.bsdf->spec(), p.multiscatter, kPixels, kSamples), 2 * kSpace + kPicture + 100,
+                  y, kPicture);
+        y += kPicture + kHeading / 2 + kSpace;
     }
     return d;
 }

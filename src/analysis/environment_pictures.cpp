@@ -15,7 +15,7 @@
 namespace vkpt {
 namespace {
 
-constexpr double kGap = 24, kTitle = 22, kWidth = 640, kMarginal = 140;
+constexpr double kMargin = 24, kCaption = 22, kWidth = 640, kMarginal = 140;
 constexpr std::uint32_t kColumns = 320;  ///< of the pictures
 
 /// Texels [first, second) under one of `cells` cells; at least one.
@@ -99,22 +99,22 @@ Drawing drawEnvironment(const std::string& name, const SceneArrays& e, const std
     const double height = kWidth * rows / columns;
     const auto cells = shrink(e, columns, rows);
     Drawing d;
-    d.width = 3 * kGap + kWidth + kMarginal;
-    d.height = 3 * (height + kTitle + kGap) + kGap;
-    double y = kGap + kTitle;
-    const auto title = [&](const std::string& text) { d.text(kGap, y - 6, text, 12); };
+    d.width = 3 * kMargin + kWidth + kMarginal;
+    d.height = 3 * (height + kCaption + kMargin) + kMargin;
+    double y = kMargin + kCaption;
+    const auto title = [&](const std::string& text) { d.text(kMargin, y - 6, text, 12); };
     title(fmt::format("{}, {}x{}", name, e.envWidth, e.envHeight));
-    drawImage(d, developed(cells, columns, rows, 0.4), kGap, y, kWidth);
-    y += height + kGap + kTitle;
+    drawImage(d, developed(cells, columns, rows, 0.4), kMargin, y, kWidth);
+    y += height + kMargin + kCaption;
     title("scalar importance: luminance x sin(theta), four decades");
-    drawImage(d, importance(cells, columns, rows), kGap, y, kWidth);
-    drawMarginal(d, e, 2 * kGap + kWidth, y, height);
-    y += height + kGap + kTitle;
+    drawImage(d, importance(cells, columns, rows), kMargin, y, kWidth);
+    drawMarginal(d, e, 2 * kMargin + kWidth, y, height);
+    y += height + kMargin + kCaption;
     title(fmt::format("where {} samples fall", places.size()));
-    drawImage(d, developed(cells, columns, rows, 0.15), kGap, y, kWidth);
+    drawImage(d, developed(cells, columns, rows, 0.15), kMargin, y, kWidth);
     for (const glm::dvec2& place : places) {
-        d.circle(kGap + place.x * kWidth, y + place.y * height, 2.4, kBlack);
-        d.circle(kGap + place.x * kWidth, y + place.y * height, 1.7, inkOf(1));
+        d.circle(kMargin + place.x * kWidth, y + place.y * height, 2.4, kBlack);
+        d.circle(kMargin + place.x * kWidth, y + place.y * height, 1.7, inkOf(1));
     }
     return d;
 }

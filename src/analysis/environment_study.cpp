@@ -15,8 +15,6 @@
 namespace vkpt {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 struct Integrand {
     const char* name;
     const char* unit;
@@ -36,7 +34,7 @@ struct Sums {
         squareOverPdf += s.squareOverPdf;
     }
     /// Variance of one sample of a uniform direction, and of one by importance, relative to the squared integral.
-    [[nodiscard]] double uniformVariance() const { return relative(4 * kPi * square); }
+    [[nodiscard]] double uniformVariance() const { return relative(4 * std::numbers::pi * square); }
     [[nodiscard]] double importanceVariance() const { return relative(squareOverPdf); }
 
 private:
@@ -66,8 +64,9 @@ Measures measureRow(const reference::Environment& environment, std::uint32_t row
     const std::uint32_t rows = pointsOf(height), columns = width * pointsOf(width);
     Measures m;
     for (std::uint32_t y = rows * row; y < rows * (row + 1); ++y) {
-        const double top = std::cos(kPi * y / (rows * height)), bottom = std::cos(kPi * (y + 1) / (rows * height));
-        const double solidAngle = (top - bottom) * 2 * kPi / columns;
+        const double top = std::cos(std::numbers::pi * y / (rows * height)),
+                     bottom = std::cos(std::numbers::pi * (y + 1) / (rows * height));
+        const double solidAngle = (top - bottom) * 2 * std::numbers::pi / columns;
         for (std::uint32_t x = 0; x < columns; ++x) {
             const glm::vec3 d = reference::environmentDirection(static_cast<float>((x + 0.5) / columns),
                                                                 static_cast<float>((top + bottom) / 2));
@@ -111,7 +110,7 @@ std::vector<glm::dvec2> drawPlaces(const reference::Environment& environment, co
 std::string tableOf(const EnvironmentStudyRequest& request, const Measures& m) {
     std::string table =
         fmt::format("{}: {}x{}, mean luminance {:.4g} nits, integral of the density {:.6f}\n\n", request.name,
-                    request.map.width, request.map.height, m.sums[0].value / (4 * kPi), m.pdf);
+                    request.map.width, request.map.height, m.sums[0].value / (4 * std::numbers::pi), m.pdf);
     table += fmt::format("{:<24}{:>12} {:<10}{:>10}{:>12}{:>10}\n", "variance of one sample", "value", "", "uniform",
                          "importance", "ratio");
     for (std::size_t i = 0; i < kIntegrands.size(); ++i) {
@@ -130,7 +129,7 @@ Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); 
 Json jsonOf(const EnvironmentStudyRequest& request, const SceneArrays& arrays, const Measures& m,
             const std::vector<glm::dvec2>& places) {
     Json json{{"environment", request.name},  {"width", request.map.width},
-              {"height", request.map.height}, {"meanLuminance", m.sums[0].value / (4 * kPi)},
+              {"height", request.map.height}, {"meanLuminance", m.sums[0].value / (4 * std::numbers::pi)},
               {"densityIntegral", m.pdf},     {"integrals", Json::array()},
               {"marginalCdf", Json::array()}, {"samples", Json::array()}};
     for (std::size_t i = 0; i < kIntegrands.size(); ++i)

@@ -11,8 +11,6 @@ namespace vkpt {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 class Quadrature {
 public:
     Quadrature(const DirectionFunction& f, bool upper, std::span<const glm::dvec3> peaks,
@@ -35,7 +33,7 @@ private:
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j)
                 sum += weight[i] * weight[j] * f_(directionOfSquare({x + size * at[i], y + size * at[j]}, upper_));
-        return sum * (2 * kPi * size * size);
+        return sum * (2 * std::numbers::pi * size * size);
     }
 
     [[nodiscard]] bool holdsPeak(double x, double y, double size) const {
@@ -77,7 +75,7 @@ glm::dvec3 directionOfSquare(const glm::dvec2& u, bool upper) {
 glm::dvec2 squareOfDirection(const glm::dvec3& w) {
     const double r = std::sqrt(std::max(0.0, 1 - std::abs(w.z)));
     if (r == 0) return {0.5, 0.5};
-    const double turns = std::atan2(w.y, w.x) / (2 * kPi);
+    const double turns = std::atan2(w.y, w.x) / (2 * std::numbers::pi);
     // The concentric map: of four triangles of the square, the one about +x, +y, -x or -y.
     const double eighths = 8 * turns;
     glm::dvec2 ab;

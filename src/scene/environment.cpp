@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "base/image_read.h"
 #include "base/math.h"
@@ -15,13 +16,13 @@
 namespace vkpt {
 namespace {
 
-constexpr double kPiDouble = 3.14159265358979323846;
 constexpr float kBrightest = 1e30F;  // leaves float room for sums
 
 /// Solid angle of one cell of row j.
 double cellSolidAngle(std::uint32_t j, std::uint32_t width, std::uint32_t height) {
-    const double top = std::cos(kPiDouble * j / height), bottom = std::cos(kPiDouble * (j + 1.0) / height);
-    return 2 * kPiDouble / width * (top - bottom);
+    const double top = std::cos(std::numbers::pi * j / height),
+                 bottom = std::cos(std::numbers::pi * (j + 1.0) / height);
+    return 2 * std::numbers::pi / width * (top - bottom);
 }
 
 /// Mean over the cell of texel (i, j) of the bilinear interpolant's luminance. Within its own cell a texel's tent has
@@ -135,7 +136,7 @@ void addEnvironment(SceneArrays& arrays, const EnvironmentMap& map, float streng
     light.index = kNone;
     arrays.lights.push_back(light);
     const double radius = sceneRadius(arrays);
-    arrays.lightPower.push_back(static_cast<float>(kPiDouble * radius * radius * integral));
+    arrays.lightPower.push_back(static_cast<float>(std::numbers::pi * radius * radius * integral));
     buildLightTable(arrays);
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <unordered_map>
 
 #include "base/math.h"
@@ -14,7 +15,6 @@ namespace vkpt {
 namespace {
 
 constexpr std::size_t kMostTriangleLights = std::size_t{1} << 22U;  // a quarter of the steps a table can have
-constexpr double kPiDouble = 3.14159265358979323846;
 
 /// The texture coordinates at which a triangle reads a texture.
 std::array<glm::vec2, 3> triangleUv(const SceneArrays& arrays, const TriangleRecord& triangle, bool second) {
@@ -56,7 +56,7 @@ double trianglePower(const SceneArrays& arrays, const EmissiveTextures& textures
         mean = textures.at(material.emissiveTexture).mean(triangleUv(arrays, triangle, second));
     }
     const double sides = (triangle.flags & kTriangleSingleSided) != 0 ? 1 : 2;
-    return sides * kPiDouble * triangleArea(triangle) * static_cast<double>(mean);
+    return sides * std::numbers::pi * triangleArea(triangle) * static_cast<double>(mean);
 }
 
 void addTriangleLights(SceneArrays& arrays) {
@@ -120,14 +120,14 @@ double punctualPower(const PunctualLight& light, double radius) {
     const double intensity = luminance(light.intensity);
     switch (light.kind) {
         case PunctualKind::Point:
-            return 4 * kPiDouble * intensity;
+            return 4 * std::numbers::pi * intensity;
         case PunctualKind::Spot: {
             // The squared ramp between the cones lets a third of its solid angle's light through.
             const double cosines = 2 * std::cos(double{light.innerConeAngle}) + std::cos(double{light.outerConeAngle});
-            return 2 * kPiDouble * (1 - cosines / 3) * intensity;
+            return 2 * std::numbers::pi * (1 - cosines / 3) * intensity;
         }
         case PunctualKind::Directional:
-            return kPiDouble * radius * radius * intensity;
+            return std::numbers::pi * radius * radius * intensity;
     }
     return 0;
 }

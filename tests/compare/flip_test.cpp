@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
 
 #include "compare/flip_color.h"
 #include "compare/flip_filters.h"
+#include "test_images.h"
 
 namespace vkpt {
 namespace {
@@ -16,14 +16,6 @@ namespace {
 Image uniform(std::uint32_t width, std::uint32_t height, const glm::vec3& color) {
     Image image(width, height, 3);
     for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = color[static_cast<int>(i % 3)];
-    return image;
-}
-
-Image noise(std::uint32_t width, std::uint32_t height, unsigned seed) {
-    Image image(width, height, 3);
-    std::mt19937 generator(seed);
-    std::uniform_real_distribution<float> value(0, 1);
-    for (float& v : image.pixels) v = value(generator);
     return image;
 }
 
@@ -57,7 +49,7 @@ TEST(Flip, OfUniformColoursFollowsFromTheFormulas) {
 }
 
 TEST(Flip, OfEqualImagesIsZeroAndItIsSymmetric) {
-    const Image a = noise(40, 30, 1), b = noise(40, 30, 2);
+    const Image a = noise(40, 30, 3, 1), b = noise(40, 30, 3, 2);
     EXPECT_EQ(ldrFlip(a, a).mean, 0);
     EXPECT_EQ(ldrFlip(a, b).mean, ldrFlip(b, a).mean);
     EXPECT_GT(ldrFlip(a, b).mean, 0.05);
@@ -106,7 +98,7 @@ TEST(Flip, CubeRootIsAccurate) {
 }
 
 TEST(Flip, GreyImagesOfOneChannelAreAsThoseOfThree) {
-    Image a = noise(50, 40, 1), b = noise(50, 40, 2), greyA(50, 40, 1), greyB(50, 40, 1);
+    Image a = noise(50, 40, 3, 1), b = noise(50, 40, 3, 2), greyA(50, 40, 1), greyB(50, 40, 1);
     for (std::size_t i = 0; i < greyA.pixels.size(); ++i) {
         a.pixels[3 * i + 1] = a.pixels[3 * i + 2] = greyA.pixels[i] = a.pixels[3 * i];
         b.pixels[3 * i + 1] = b.pixels[3 * i + 2] = greyB.pixels[i] = b.pixels[3 * i];
@@ -117,7 +109,7 @@ TEST(Flip, GreyImagesOfOneChannelAreAsThoseOfThree) {
 
 // What a pixel shows depends on its surroundings only, not on where the image is cut for the threads.
 TEST(Flip, DoesNotDependOnTheTiles) {
-    const Image patch = noise(60, 50, 3);
+    const Image patch = noise(60, 50, 3, 3);
     const auto placed = [&](std::uint32_t x0, std::uint32_t y0) {
         Image image = uniform(600, 300, {0.5F, 0.5F, 0.5F});
         for (std::uint32_t y = 0; y < 50; ++y) std::copy_n(patch.at(0, y), 180, image.at(x0, y0 + y));
@@ -141,7 +133,7 @@ TEST(HdrFlip, OfUniformImagesFollowsFromTheFormulas) {
 }
 
 TEST(HdrFlip, ExposuresRunFromTheBrightestToTheMedian) {
-    const Image reference = noise(31, 31, 4);
+    const Image reference = noise(31, 31, 3, 4);
     std::vector<float> luminances;
     for (std::size_t i = 0; i < reference.pixels.size(); i += 3)
         luminances.push_back(0.2126F * reference.pixels[i] + 0.7152F * reference.pixels[i + 1] +
@@ -154,7 +146,7 @@ TEST(HdrFlip, ExposuresRunFromTheBrightestToTheMedian) {
 }
 
 TEST(HdrFlip, ScalingBothImagesShiftsTheExposuresOnly) {
-    const Image a = noise(40, 30, 1), r = noise(40, 30, 2);
+    const Image a = noise(40, 30, 3, 1), r = noise(40, 30, 3, 2);
     const FlipExposures e = flipExposures(r), shifted = flipExposures(scaled(r, 1024));
     EXPECT_NEAR(e.start - shifted.start, 10, 1e-6);
     EXPECT_NEAR(hdrFlip(a, r, e).mean, hdrFlip(scaled(a, 1024), scaled(r, 1024), shifted).mean, kRounding);

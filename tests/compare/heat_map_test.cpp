@@ -6,11 +6,10 @@
 #include <limits>
 
 #include "compare/false_color.h"
+#include "test_images.h"
 
 namespace vkpt {
 namespace {
-
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 Image ramp(std::uint32_t width, std::uint32_t height, float largest) {
     Image image(width, height, 1);

@@ -4,22 +4,14 @@
 
 #include <cmath>
 #include <limits>
-#include <random>
 
 #include "base/error.h"
 #include "compare/ssim.h"
 #include "film/tonemap.h"
+#include "test_images.h"
 
 namespace vkpt {
 namespace {
-
-Image noise(std::uint32_t channels, unsigned seed, float largest = 1) {
-    Image image(32, 24, channels);
-    std::mt19937 generator(seed);
-    std::uniform_real_distribution<float> value(0, largest);
-    for (float& v : image.pixels) v = value(generator);
-    return image;
-}
 
 Image displayed(Image image) {
     image.displayEncoded = true;
@@ -33,7 +25,7 @@ Image channel(const Image& image, std::uint32_t c) {
 }
 
 TEST(Perceptual, DisplayImagesTakeLdrFlipAndLinearOnesHdrFlip) {
-    const Image a = noise(3, 1), r = noise(3, 2);
+    const Image a = noise(32, 24, 3, 1), r = noise(32, 24, 3, 2);
     const PerceptualDifference display = comparePerceptually(displayed(a), displayed(r)),
                                linear = comparePerceptually(a, r);
     EXPECT_EQ(display.flip.mean, ldrFlip(a, r).mean);
@@ -43,7 +35,7 @@ TEST(Perceptual, DisplayImagesTakeLdrFlipAndLinearOnesHdrFlip) {
 }
 
 TEST(Perceptual, SsimOfLinearImagesIsThatOfTheEncodedOnes) {
-    const Image a = noise(3, 1, 3), r = noise(3, 2, 3);
+    const Image a = noise(32, 24, 3, 1, 3), r = noise(32, 24, 3, 2, 3);
     Image encodedA = displayed(a), encodedR = displayed(r);
     for (float& v : encodedA.pixels) v = srgbEncode(v);
     for (float& v : encodedR.pixels) v = srgbEncode(v);
@@ -56,25 +48,25 @@ TEST(Perceptual, SsimOfLinearImagesIsThatOfTheEncodedOnes) {
 }
 
 TEST(Perceptual, FlipOfAChannelIsThatOfTheGreyImageAndOnlyOnRequest) {
-    const Image a = displayed(noise(3, 1)), r = displayed(noise(3, 2));
+    const Image a = displayed(noise(32, 24, 3, 1)), r = displayed(noise(32, 24, 3, 2));
     EXPECT_TRUE(std::isnan(comparePerceptually(a, r).channels.at(1).flip));
     const PerceptualDifference p = comparePerceptually(a, r, {.flipPerChannel = true});
     for (std::uint32_t c = 0; c < 3; ++c) EXPECT_EQ(p.channels.at(c).flip, ldrFlip(channel(a, c), channel(r, c)).mean);
 }
 
 TEST(Perceptual, AlphaIsNotLookedAtAndGreyHasNoChannels) {
-    Image a = noise(4, 1);
+    Image a = noise(32, 24, 4, 1);
     const Image r = a;
     for (std::size_t i = 3; i < a.pixels.size(); i += 4) a.pixels[i] = 0;
     EXPECT_EQ(comparePerceptually(a, r).flip.mean, 0);
     EXPECT_DOUBLE_EQ(comparePerceptually(a, r).ssim, 1);
-    const PerceptualDifference grey = comparePerceptually(noise(1, 1), noise(1, 2));
+    const PerceptualDifference grey = comparePerceptually(noise(32, 24, 1, 1), noise(32, 24, 1, 2));
     EXPECT_TRUE(grey.channels.empty());
     EXPECT_GT(grey.flip.mean, 0);
 }
 
 TEST(Perceptual, WhatIsNotFiniteIsBlackInBothAndSpoilsNothing) {
-    Image a = noise(3, 1), r = noise(3, 2), blackA = a, blackR = r;
+    Image a = noise(32, 24, 3, 1), r = noise(32, 24, 3, 2), blackA = a, blackR = r;
     a.at(5, 5)[1] = std::numeric_limits<float>::quiet_NaN();
     r.at(9, 9)[0] = std::numeric_limits<float>::infinity();
     for (const std::uint32_t i : {5U, 9U}) {
@@ -88,7 +80,7 @@ TEST(Perceptual, WhatIsNotFiniteIsBlackInBothAndSpoilsNothing) {
 }
 
 TEST(Perceptual, NeverMixesDisplayAndLinearValues) {
-    EXPECT_THROW((void)comparePerceptually(displayed(noise(3, 1)), noise(3, 2)), Error);
+    EXPECT_THROW((void)comparePerceptually(displayed(noise(32, 24, 3, 1)), noise(32, 24, 3, 2)), Error);
 }
 
 }  // namespace

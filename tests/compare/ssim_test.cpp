@@ -3,7 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
+
+#include "test_images.h"
 
 namespace vkpt {
 namespace {
@@ -11,14 +12,6 @@ namespace {
 Image constant(std::uint32_t width, std::uint32_t height, float value) {
     Image image(width, height, 1);
     for (float& v : image.pixels) v = value;
-    return image;
-}
-
-Image noise(std::uint32_t width, std::uint32_t height, unsigned seed) {
-    Image image(width, height, 1);
-    std::mt19937 generator(seed);
-    std::uniform_real_distribution<float> uniform(0, 1);
-    for (float& v : image.pixels) v = uniform(generator);
     return image;
 }
 
@@ -44,7 +37,7 @@ double ssimOfWindow(const Image& a, const Image& r, std::uint32_t x0, std::uint3
            (varianceA + varianceR + 9e-4);
 }
 
-TEST(Ssim, IsOneOfEqualImages) { EXPECT_DOUBLE_EQ(ssim(noise(40, 30, 1), noise(40, 30, 1)), 1); }
+TEST(Ssim, IsOneOfEqualImages) { EXPECT_DOUBLE_EQ(ssim(noise(40, 30, 1, 1), noise(40, 30, 1, 1)), 1); }
 
 TEST(Ssim, OfConstantsIsTheLuminanceTermAlone) {
     EXPECT_NEAR(ssim(constant(20, 20, 0.25F), constant(20, 20, 0.75F)), (2 * 0.25 * 0.75 + 1e-4) / (0.625 + 1e-4),
@@ -54,8 +47,8 @@ TEST(Ssim, OfConstantsIsTheLuminanceTermAlone) {
 
 // Larger than a tile in both directions, so the seams are in it.
 TEST(Ssim, IsTheMeanOverAllWindows) {
-    const Image a = noise(280, 150, 1);
-    Image r = noise(280, 150, 2);
+    const Image a = noise(280, 150, 1, 1);
+    Image r = noise(280, 150, 1, 2);
     for (std::size_t i = 0; i < r.pixels.size(); ++i) r.pixels[i] = (3 * a.pixels[i] + r.pixels[i]) / 4;
     double sum = 0;
     for (std::uint32_t y = 0; y + 11 <= 150; ++y)

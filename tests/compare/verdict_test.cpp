@@ -4,10 +4,12 @@
 
 #include <limits>
 
+#include "test_images.h"
+
 namespace vkpt {
 namespace {
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInfinite = std::numeric_limits<float>::infinity();
+constexpr float kInfinite = std::numeric_limits<float>::infinity();
 
 /// Ten black pixels, the first `changed` of which differ by `by` in one channel.
 ExitCode verdictOf(int changed, float by, const Threshold& warn, const Threshold& fail) {

@@ -132,14 +132,14 @@ TEST(Environment, SamplingEstimatesTheIntegralOfRadiance) {
     for (const EnvironmentMap& map : maps()) {
         SceneArrays a;
         addEnvironment(a, map, 1, 0);
-        constexpr int kSide = 400;
+        constexpr int kCells = 400;
         double sampled = 0;
-        for (int k = 0; k < kSide * kSide; ++k) {
-            const auto u0 = static_cast<float>((k % kSide + 0.5) / kSide),
-                       u1 = static_cast<float>((k / kSide + 0.5) / kSide);
+        for (int k = 0; k < kCells * kCells; ++k) {
+            const auto u0 = static_cast<float>((k % kCells + 0.5) / kCells),
+                       u1 = static_cast<float>((k / kCells + 0.5) / kCells);
             const DirectionSample s = sampleMap(a, u0, u1);
             ASSERT_GT(s.pdf, 0);
-            sampled += luminance(glm::vec3(lookUp(a, s.u, s.v))) / s.pdf / (kSide * kSide);
+            sampled += luminance(glm::vec3(lookUp(a, s.u, s.v))) / s.pdf / (kCells * kCells);
         }
         double quadrature = 0;
         constexpr int kRows = 1000, kColumns = 2000;

@@ -21,6 +21,7 @@ file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/src/reference/*
      "${CMAKE_SOURCE_DIR}/src/verify/*.cpp" "${CMAKE_SOURCE_DIR}/src/cli/*.cpp")
 list(REMOVE_ITEM sources ${originals})
 add_executable(vkpt_faulty "${CMAKE_SOURCE_DIR}/src/main.cpp" ${sources} ${copies})
+set_target_properties(vkpt_faulty PROPERTIES UNITY_BUILD OFF)  # as vkpt_verify
 target_include_directories(vkpt_faulty BEFORE PRIVATE "${folder}")
 target_compile_options(vkpt_faulty PRIVATE $<$<CONFIG:Release>:-O1>)
 target_link_libraries(vkpt_faulty PRIVATE vkpt_gltf vkpt_bvh vkpt_wavefront vkpt_compare vkpt_probes vkpt_analysis

@@ -14,10 +14,6 @@ target_include_directories(vkpt_compiler INTERFACE
 target_compile_definitions(vkpt_compiler INTERFACE $<$<CONFIG:Debug,Sanitize>:_GLIBCXX_ASSERTIONS>)
 if(VKPT_SANITIZE)
   target_compile_options(vkpt_compiler INTERFACE -fsanitize=${VKPT_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
-  if(VKPT_SANITIZE MATCHES "undefined")  # A fifth of the time to compile, for little: the address sanitizer sees null
-    # pointers too, object-size needs more optimisation than these builds have, vptr more virtual functions than vkpt has.
-    target_compile_options(vkpt_compiler INTERFACE -fno-sanitize=null,object-size,vptr)
-  endif()
   target_link_options(vkpt_compiler INTERFACE -fsanitize=${VKPT_SANITIZE})
 endif()
 

@@ -14,7 +14,7 @@ Facets<Real> groovesOf(const Bsdf<Real>& b, Real alpha) {
 
 /// Probability of the facets against the diffuse part.
 template <class Real>
-Real specularShare(const Bsdf<Real>& b, const Vec3<Real>& wo) {
+Real lobeShare(const Bsdf<Real>& b, const Vec3<Real>& wo) {
     return shareOf(b.specular * luminance(b.color * facetFresnel(b, wo.z)), (1 - b.specular) * luminance(b.diffuse));
 }
 
@@ -32,7 +32,7 @@ Vec3<Real> cookTorranceEval(const Bsdf<Real>& b, const Vec3<Real>& wo, const Vec
 template <class Real>
 Real cookTorrancePdf(const Bsdf<Real>& b, const Vec3<Real>& wo, const Vec3<Real>& wi) {
     if (wi.z <= 0) return 0;
-    const Real p = specularShare(b, wo);
+    const Real p = lobeShare(b, wo);
     const Real facets = b.weight * facetReflectionPdf(groovesOf(b, b.alphaX), wo, wi) +
                         (1 - b.weight) * facetReflectionPdf(groovesOf(b, b.alphaY), wo, wi);
     return p * facets + (1 - p) * cosinePdf(wi);
@@ -40,7 +40,7 @@ Real cookTorrancePdf(const Bsdf<Real>& b, const Vec3<Real>& wo, const Vec3<Real>
 
 template <class Real>
 BsdfSample<Real> cookTorranceSample(const Bsdf<Real>& b, const Vec3<Real>& wo, Real uLobe, const Vec2<Real>& u) {
-    if (!choose(uLobe, specularShare(b, wo))) return towards(squareToCosineHemisphere(u));
+    if (!choose(uLobe, lobeShare(b, wo))) return towards(squareToCosineHemisphere(u));
     const Real alpha = choose(uLobe, b.weight) ? b.alphaX : b.alphaY;
     return towards(reflectAbout(wo, sampleVisibleFacet(groovesOf(b, alpha), wo, u, uLobe)));
 }

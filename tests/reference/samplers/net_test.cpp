@@ -15,7 +15,7 @@ using test::coordinates;
 using test::fillEvenly;
 using Points = std::vector<std::vector<std::uint32_t>>;
 
-constexpr std::uint32_t pack(std::uint32_t x, std::uint32_t y) { return x | y << 16U; }
+constexpr std::uint32_t pixelAt(std::uint32_t x, std::uint32_t y) { return x | y << 16U; }
 
 /// Whether 2^m points fill every elementary box of 2^-(m-t) evenly: a (t,m,s)-net in base 2.
 bool isNet(const Points& points, unsigned m, unsigned t, std::vector<std::uint64_t> grid = {}, unsigned used = 0) {
@@ -158,7 +158,8 @@ TEST(Zsobol, SamplesOfAlignedPixelBlocksAreNets) {
                     for (std::uint32_t x = 0; x < side; ++x)
                         for (std::uint32_t i = 0; i < spp; ++i)
                             for (std::uint32_t axis = 0; axis < 2; ++axis)
-                                points[axis].push_back(bits({pack(5 * side + x, 9 * side + y), i, spp, 2}, dim + axis));
+                                points[axis].push_back(
+                                    bits({pixelAt(5 * side + x, 9 * side + y), i, spp, 2}, dim + axis));
                 const auto m = static_cast<unsigned>(std::countr_zero(side * side * spp));
                 ASSERT_TRUE(isNet(points, m, 0)) << spp << ' ' << side << ' ' << dim;
             }
@@ -174,15 +175,15 @@ TEST(Bluenoise, MaskHoldsEveryRankOnce) {
 
 // One set for all pixels, shifted: differences between samples do not depend on the pixel.
 TEST(Bluenoise, ShiftsOneSetAndCoversTheUnitIntervalOverTheMask) {
-    const auto a = coordinates(SamplerId::Bluenoise, 10, 0, 64, 64, 3, pack(1, 2)),
-               b = coordinates(SamplerId::Bluenoise, 10, 0, 64, 64, 3, pack(77, 40));
+    const auto a = coordinates(SamplerId::Bluenoise, 10, 0, 64, 64, 3, pixelAt(1, 2)),
+               b = coordinates(SamplerId::Bluenoise, 10, 0, 64, 64, 3, pixelAt(77, 40));
     for (std::size_t i = 1; i < 64; ++i) ASSERT_EQ(a[i] - a[0], b[i] - b[0]);
     std::vector<std::uint32_t> over;
     const SamplerBits bits = samplerBits(SamplerId::Bluenoise);
-    const std::uint32_t first = a[0] - bits({pack(1, 2), 0, 64, 3}, 10);
+    const std::uint32_t first = a[0] - bits({pixelAt(1, 2), 0, 64, 3}, 10);
     EXPECT_EQ(first, 0U);
     for (std::uint32_t y = 0; y < kMaskSide; ++y)
-        for (std::uint32_t x = 0; x < kMaskSide; ++x) over.push_back(bits({pack(x, y), 0, 64, 3}, 10));
+        for (std::uint32_t x = 0; x < kMaskSide; ++x) over.push_back(bits({pixelAt(x, y), 0, 64, 3}, 10));
     std::sort(over.begin(), over.end());
     const double cell = 0x1p32 / over.size();
     for (std::size_t i = 0; i < over.size(); i += 97) EXPECT_NEAR(over[i], cell * static_cast<double>(i), 1.5 * cell);
