@@ -43,7 +43,7 @@ SceneArrays grouped(const Scene& scene, const Names& wanted = {}, bool backgroun
     return arrays;
 }
 
-std::string faultOf(const Scene& scene, const Names& wanted = {}, ExitCode code = ExitCode::File) {
+std::string groupingFault(const Scene& scene, const Names& wanted = {}, ExitCode code = ExitCode::File) {
     try {
         (void)grouped(scene, wanted);
     } catch (const Error& error) {
@@ -118,7 +118,7 @@ TEST(LightGroups, ChosenOnesLeaveTheRestToOthers) {
     EXPECT_THAT(groups.names, ElementsAre(kOtherLights, "b", "d"));
     EXPECT_THAT(groups.ofLight, ElementsAre(0, 1, 0, 2));
     EXPECT_THAT(grouped(scene, {"a", "b", "c", "d"}).lightGroups.names, ElementsAre("a", "b", "c", "d"));
-    EXPECT_THAT(faultOf(scene, {"b", "e"}, ExitCode::Usage), AllOf(HasSubstr("'e'"), HasSubstr("a, b, c, d")));
+    EXPECT_THAT(groupingFault(scene, {"b", "e"}, ExitCode::Usage), AllOf(HasSubstr("'e'"), HasSubstr("a, b, c, d")));
 }
 
 TEST(LightGroups, AreNoMoreThanTheFilmHasRoomFor) {
@@ -126,14 +126,14 @@ TEST(LightGroups, AreNoMoreThanTheFilmHasRoomFor) {
     for (std::uint32_t i = 0; i < kMostLightGroups; ++i) names.push_back("lamp " + std::to_string(i));
     EXPECT_EQ(grouped(lamps(names)).lightGroups.names.size(), kMostLightGroups);
     names.emplace_back("one more");
-    EXPECT_THAT(faultOf(lamps(names)), AllOf(HasSubstr("file: --light-groups: 65 names"), HasSubstr("A,B,...")));
+    EXPECT_THAT(groupingFault(lamps(names)), AllOf(HasSubstr("file: --light-groups: 65 names"), HasSubstr("A,B,...")));
     EXPECT_THAT(grouped(lamps(names), {"one more"}).lightGroups.names, ElementsAre(kOtherLights, "one more"));
 }
 
 TEST(LightGroups, NeedLight) {
     Scene scene = lamps({"lamp"});
     scene.materials[0].emissive = glm::vec3(0);
-    EXPECT_THAT(faultOf(scene), HasSubstr("nothing shines"));
+    EXPECT_THAT(groupingFault(scene), HasSubstr("nothing shines"));
 }
 
 TEST(LightLayers, AreNamedByTheScatteringsOfTheirPaths) {

@@ -134,7 +134,8 @@ TEST_P(LightLayersOn, WhatIsRefusedIsInNone) {
     EXPECT_GT(film.refused, 20U);
     expectSumsOfLayers(film);
     double brightest = 0;
-    for (const float v : lengthImages(film)[0].image.pixels) brightest = std::max(brightest, double{v});
+    const std::vector<LightImage> images = lengthImages(film);
+    for (const float v : images[0].image.pixels) brightest = std::max(brightest, double{v});
     EXPECT_LT(brightest, 2) << "the sky is all that the camera sees shine";
 }
 
