@@ -137,9 +137,9 @@ def path_lengths(quick):
     rows.append(["largest difference of the two, a pixel", f"{np.abs(total - everything).max():.1e}", ""])
     return Section("Light by length of path, and the sum",
                    "Path 0 is the lamp as the camera sees it, path 1 direct light with its black shadows, path 2 what "
-                   "has met one more surface: the ceiling appears, and red and green bleed onto the blocks. Every further "
-                   "bounce is dimmer and softer, and takes on the colours of the walls. The rendering equation, "
-                   "unrolled, is the sum. The layers are those of --per-bounce.",
+                   "has met one more surface: the ceiling appears, and red and green bleed onto the blocks. Every "
+                   "further bounce is dimmer and softer, and takes on the colours of the walls. The rendering "
+                   "equation, unrolled, is the sum. The layers are those of --per-bounce.",
                    figure(plot) + table(["cornell_box", "mean radiance, nits", "share"], rows))
 
 
