@@ -9,16 +9,16 @@
 namespace vkpt {
 namespace {
 
-using Table = boost::random::detail::qrng_tables::sobol;
-static_assert(Table::max_dimension == kSobolDimensions);
+using SobolTable = boost::random::detail::qrng_tables::sobol;
+static_assert(SobolTable::max_dimension == kSobolDimensions);
 constexpr unsigned kBits = 32;
 
 /// Extends the initial numbers of one dimension by its primitive polynomial's recurrence. [Joe 08, eq. 2]
 void fillDimension(std::size_t polynomialIndex, std::span<std::uint32_t> v) {
-    const unsigned polynomial = Table::polynomial(polynomialIndex);
+    const unsigned polynomial = SobolTable::polynomial(polynomialIndex);
     const unsigned degree = static_cast<unsigned>(std::bit_width(polynomial)) - 1;
     for (unsigned k = 0; k < degree; ++k) {
-        v[k] = std::uint32_t{Table::minit(polynomialIndex, k)} << (kBits - 1 - k);
+        v[k] = std::uint32_t{SobolTable::minit(polynomialIndex, k)} << (kBits - 1 - k);
     }
     for (unsigned k = degree; k < kBits; ++k) {
         v[k] = v[k - degree] >> degree;
