@@ -18,6 +18,7 @@ bool mapsDiffuse(BsdfId model) {
 template <class Real>
 void turn(Bsdf<Real>& b) {
     b.eta = Real(1) / b.eta;
+    std::swap(b.average.x, b.average.y);
     std::swap(b.table, b.farTable);
 }
 
