@@ -1,6 +1,5 @@
 #include "scene/flatten.h"
 
-#include "base/math.h"
 #include "scene/flatten_geometry.h"
 #include "scene/flatten_lights.h"
 #include "scene/flatten_materials.h"
@@ -13,8 +12,6 @@ SceneArrays flatten(const Scene& scene, const FlattenOptions& options) {
     flattenMaterials(scene, traits, options.multiscatter, arrays);
     flattenGeometry(scene, options, traits, arrays);
     flattenLights(scene, arrays);
-    for (const PunctualLight& light : scene.lights)
-        if (luminance(light.intensity) > 0) arrays.punctualNames.push_back(light.name);  // those that it takes
     return arrays;
 }
 

@@ -144,6 +144,7 @@ void flattenLights(const Scene& scene, SceneArrays& arrays) {
     for (const PunctualLight& light : scene.lights) {
         if (!(luminance(light.intensity) > 0)) continue;
         arrays.lights.push_back(punctualRecord(light));
+        arrays.punctualNames.push_back(light.name);
         arrays.lightPower.push_back(static_cast<float>(punctualPower(light, sceneRadius(arrays))));
         arrays.features.punctualLights = true;
     }
