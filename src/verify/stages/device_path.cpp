@@ -5,11 +5,7 @@
 namespace vkpt {
 namespace {
 
-constexpr U128 kModulus = U128{1} << 96U;
-
 glm::vec4 floats(const uvec4& word) { return std::bit_cast<glm::vec4>(word); }
-
-U128 wide(const uvec4& word) { return U128{word.x} | U128{word.y} << 32U | U128{word.z} << 64U; }
 
 }  // namespace
 
@@ -43,8 +39,8 @@ reference::Hit DevicePaths::hitOf(const StageSnapshot& device, std::uint32_t pat
 }
 
 PathSums sumsOf(const StageSnapshot& device, std::uint32_t path) {
-    return {wide(device.word(StateArray::Red, path)), wide(device.word(StateArray::Green, path)),
-            wide(device.word(StateArray::Blue, path))};
+    return {sumOf(device.word(StateArray::Red, path)), sumOf(device.word(StateArray::Green, path)),
+            sumOf(device.word(StateArray::Blue, path))};
 }
 
 PathSums changeOf(const PathSums& before, const PathSums& now) {

@@ -2,12 +2,14 @@
 #pragma once
 #include <array>
 
+#include "film/wide_integer.h"
 #include "reference/path.h"
 #include "wavefront/renderer.h"
 
 namespace vkpt {
 
-__extension__ using U128 = unsigned __int128;
+/// Sums are taken modulo this.
+inline constexpr U128 kModulus = U128{1} << 96U;
 
 /// Exact sums of one path: three channels of 96 bits, in two's complement.
 using PathSums = std::array<U128, 3>;

@@ -5,8 +5,6 @@
 namespace vkpt {
 namespace {
 
-constexpr U128 kModulus = U128{1} << 96U;
-
 void addTo(PathSums& sums, const PathSums& change) {
     for (std::size_t c = 0; c < sums.size(); ++c) sums[c] = (sums[c] + change[c]) % kModulus;
 }
@@ -14,10 +12,7 @@ void addTo(PathSums& sums, const PathSums& change) {
 /// Layer `layer` of those that begin at `firstWord` in `words`, those of one pixel.
 PathSums layerOf(const uvec4* words, std::uint32_t firstWord, std::size_t layer) {
     PathSums sums;
-    for (std::size_t c = 0; c < sums.size(); ++c) {
-        const uvec4& w = words[firstWord + layer * kLightWords + c];
-        sums[c] = U128{w.x} | U128{w.y} << 32U | U128{w.z} << 64U;
-    }
+    for (std::size_t c = 0; c < sums.size(); ++c) sums[c] = sumOf(words[firstWord + layer * kLightWords + c]);
     return sums;
 }
 

@@ -16,7 +16,7 @@ public:
 
     /// `before`: the snapshot that came before `now`.
     void see(const DevicePaths& paths, const StageSnapshot& before, const StageSnapshot& now);
-    /// Compares the words of the batch's pixels, then forgets them.
+    /// Compares the words of the batch's pixels.
     void compare(Findings& findings, const ObservedFilm& film, std::uint32_t samples);
 
 private:

@@ -251,9 +251,7 @@ void StageWalk::shadow(const StageSnapshot& now) {
         touched[path] = true;
         FilmSums sums{};
         if (!reference::addContribution(sums, light.contribution, hasNegativeLobes(params_.pixelFilter))) continue;
-        const PathSums whole = {U128{sums.red.x} | U128{sums.red.y} << 32U | U128{sums.red.z} << 64U,
-                                U128{sums.green.x} | U128{sums.green.y} << 32U | U128{sums.green.z} << 64U,
-                                U128{sums.blue.x} | U128{sums.blue.y} << 32U | U128{sums.blue.z} << 64U};
+        const PathSums whole = {sumOf(sums.red), sumOf(sums.green), sumOf(sums.blue)};
         const PathSums change = changeOf(sumsOf(before_, path), sumsOf(now, path));
         const bool arrived = change == whole;
         if (!f.holds("sums", arrived || change == PathSums{}, "neither unchanged nor with the sample added")) continue;
@@ -277,8 +275,6 @@ void StageWalk::shadow(const StageSnapshot& now) {
 void StageWalk::accumulate(const StageSnapshot& now, const ObservedFilm& film) {
     Findings& f = of(Stage::Accumulate);
     const auto where = scope(f, 0);
-    constexpr U128 kModulus = U128{1} << 96U;
-    const auto wide = [](const uvec4& w) { return U128{w.x} | U128{w.y} << 32U | U128{w.z} << 64U; };
     std::vector<PathSums> expected(now.batch.pixelCount);
     std::vector<std::uint32_t> alpha(now.batch.pixelCount);
     for (std::uint32_t path = 0; path < now.batch.pathCount; ++path) {
@@ -290,7 +286,7 @@ void StageWalk::accumulate(const StageSnapshot& now, const ObservedFilm& film) {
     for (std::uint32_t pixel = 0; pixel < now.batch.pixelCount; ++pixel) {
         f.at(std::size_t{pixel} * now.batch.sampleCount);
         const FilmSums& sums = film.sums[pixel];
-        f.holds("film", PathSums{wide(sums.red), wide(sums.green), wide(sums.blue)} == expected[pixel],
+        f.holds("film", PathSums{sumOf(sums.red), sumOf(sums.green), sumOf(sums.blue)} == expected[pixel],
                 "is not the sum of its paths");
         f.equal("alpha", sums.red.w, alpha[pixel]);
     }
