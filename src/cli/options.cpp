@@ -175,7 +175,7 @@ void addSamplingOptions(CLI::App& app, SamplingOptions& options) {
     addParsed(app, "--rr", options.roulette, parseRoulette, "off|throughput|fixed:P",
               "Russian roulette (default: throughput)")
         ->group(group);
-    addParsed(app, "--rr-depth", options.rrDepth, numberWithin(0U), "N", "scatterings before it begins (default: 3)",
+    addParsed(app, "--rr-depth", options.rrDepth, numberWithin(0U), "N", "scatterings before it begins (default: 5)",
               kWhole)
         ->group(group);
     addIntegratorOptions(app, options);

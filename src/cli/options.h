@@ -84,7 +84,7 @@ struct SamplingOptions {
     std::optional<ScrambleId> scramble;  ///< else the sampler's default
     std::uint32_t maxDepth = 8;
     Roulette roulette;
-    std::uint32_t rrDepth = 3;
+    std::uint32_t rrDepth = 5;
     IntegratorId integrator = IntegratorId::Path;
     Strategy strategy = Strategy::MisPower;
     float beta = 2;

@@ -189,7 +189,8 @@ def truncation(quick):
 
 # ---- efficiency of Russian roulette -----------------------------------------------------------------------------
 
-SETTINGS = (("off", ("--rr", "off")), ("throughput, from 3", ("--rr", "throughput")),
+SETTINGS = (("off", ("--rr", "off")), ("throughput, from 5", ("--rr", "throughput")),
+            ("throughput, from 3", ("--rr", "throughput", "--rr-depth", 3)),
             ("throughput, from 1", ("--rr", "throughput", "--rr-depth", 1)),
             *((f"fixed:{p}, from 1", ("--rr", f"fixed:{p}", "--rr-depth", 1)) for p in (0.9, 0.7, 0.5, 0.3)))
 PAINT = "lambert:color={0}/{0}/{0}"
