@@ -1,13 +1,29 @@
 // Metal: mirror facets [Walter 07], and what they pass on among each other [Kulla 17].
 
-// Share of that light, and its albedo at wo.
-vec3 conductorShare(SurfaceBsdf b) { return interreflectedShare(b.r.color * b.r.average, b.mean.z); }
+// Shares of that light that are given back: along the normal and where grazing; and its mean albedo.
+struct ConductorReturns {
+    vec3 along, grazing, mean;
+};
+
+ConductorReturns conductorReturns(SurfaceBsdf b) {
+    MetalWalk walk = metalWalk(b.table, b.roughness);
+    vec3 along = interreflectedShare(b.r.color * fresnelOf(b.r, walk.cosines.x), 1.0 - walk.escapes.x);
+    vec3 grazing = interreflectedShare(b.r.color * fresnelOf(b.r, walk.cosines.y), 1.0 - walk.escapes.y);
+    return ConductorReturns(along, grazing, b.mean.z * mix(along, grazing, walk.place));
+}
+
+// M of estimator.md.
+vec3 conductorReturned(ConductorReturns r, float lost, float cosW) {
+    float steep = 1.0 - cosW;
+    return lost * mix(r.along, r.grazing, steep * steep);
+}
 
 // Probability of the facets' own lobe.
 float conductorFacetShare(SurfaceBsdf b, vec3 wo) {
     if (!b.compensated) return 1.0;
     float lost = b.albedoO.z;
-    return specularShare(luminance(b.r.color * fresnelOf(b.r, wo.z)) * (1.0 - lost), luminance(conductorShare(b)) * lost);
+    vec3 returned = conductorReturned(conductorReturns(b), lost, wo.z);
+    return specularShare(luminance(b.r.color * fresnelOf(b.r, wo.z)) * (1.0 - lost), luminance(returned));
 }
 
 BsdfValue conductorEvaluate(SurfaceBsdf b, vec3 wo, vec3 wi) {
@@ -15,8 +31,11 @@ BsdfValue conductorEvaluate(SurfaceBsdf b, vec3 wo, vec3 wi) {
     vec3 wm = normalize(wo + wi);
     BsdfValue single = facetReflection(b, wo, wi, b.r.color * fresnelOf(b.r, abs(dot(wo, wm))), wm);
     if (!b.compensated) return single;
-    float shape = interreflection(b.albedoO.z, albedoLookup(b.table, b.roughness, wi).z, b.mean.z);
-    BsdfValue multiple = BsdfValue(conductorShare(b) * shape, interreflectionPdf(lostSpread(b), wi.z));
+    ConductorReturns r = conductorReturns(b);
+    vec3 o = conductorReturned(r, b.albedoO.z, wo.z);
+    vec3 i = conductorReturned(r, albedoLookup(b.table, b.roughness, wi).z, wi.z);
+    vec3 f = o * i * kInvPi / max(r.mean, vec3(1e-30));   // 0 where nothing is given back
+    BsdfValue multiple = BsdfValue(f, interreflectionPdf(lostSpread(b), wi.z));
     return mixValues(single, multiple, conductorFacetShare(b, wo));
 }
 

@@ -24,7 +24,7 @@ float albedoColumn(AlbedoRoughness r, vec3 w) {
     return 0.5 * (sqrt(mu) + sqrt(mu / (mu + q)));
 }
 
-// Roots of (second, lost) at one corner.
+// Of an albedo's corner the roots of (second, lost).
 vec2 unpackAlbedo(uint word) { return vec2(float(word & 0xffffu), float(word >> 16u)) * (1.0 / 65535.0); }
 
 // (first, second, lost), of which the first is what the others leave.
@@ -45,6 +45,37 @@ vec3 albedoMean(uint table, AlbedoRoughness r) {
     float y = albedoPlace(albedoRow(r), j), g = meanAlpha(r);
     vec4 cell = sceneWordFloat(scene.albedoTables + table + (kAlbedoSide - 1u) * (kAlbedoSide - 1u) + j);
     return wholeAlbedo(vec2(mix(cell.z, cell.w, y), g * g * mix(cell.x, cell.y, y)));
+}
+
+// What a random walk tells of light that more than one facet meets. [estimator.md, Interreflection]
+struct MetalWalk {
+    vec2 cosines, escapes;   // c0 and c1, e0 and e1
+    float place;             // m
+};
+struct GlassWalk {
+    float share, slope, place;   // rho, b, m
+};
+
+// First of the two rows that a roughness lies between; y: how far it is to the second.
+uint walkRow(uint table, AlbedoRoughness r, out float y) {
+    uint j;
+    y = albedoPlace(albedoRow(r), j);
+    return scene.albedoTables + table + kAlbedoSide * (kAlbedoSide - 1u) + j;
+}
+
+MetalWalk metalWalk(uint table, AlbedoRoughness r) {
+    float y;
+    uint at = walkRow(table, r, y);
+    uvec4 a = sceneWord(at), b = sceneWord(at + 1u);
+    return MetalWalk(mix(unpackAlbedo(a.x), unpackAlbedo(b.x), y), mix(unpackAlbedo(a.y), unpackAlbedo(b.y), y),
+                     mix(uintBitsToFloat(a.z), uintBitsToFloat(b.z), y));
+}
+
+GlassWalk glassWalk(uint table, AlbedoRoughness r) {
+    float y;
+    uint at = walkRow(table, r, y);
+    vec4 walk = mix(sceneWordFloat(at), sceneWordFloat(at + 1u), y);
+    return GlassWalk(walk.x, walk.y, walk.z);
 }
 
 // Share of interreflected light that a conductor gives back, of its mean Fresnel term and of what is lost. [Kulla 17]

@@ -39,11 +39,23 @@ float facetsG1(Facets f, vec3 w, vec3 wm) {
     return f.masking == kMaskingVGroove ? grooveG1(w, wm) : 1.0 / (1.0 + facetsLambda(f, w));
 }
 
-// Masking and shadowing. Correlated: [Heitz 14, eq. 99], on either side of the surface.
+// Euler's Beta function, x and y from 1 on: Stirling's series two steps up, of whose powers none is large. [Abramowitz
+// 64, 6.1.41] Error 3e-7 relative, and 1e-7 for every factor e below 1.
+float betaFunction(float x, float y) {
+    float s = x + y, a = x + 2.0, b = y + 2.0, ab = a + b;
+    vec3 inverse = 1.0 / vec3(a, b, ab), inverse2 = inverse * inverse;
+    vec3 series = inverse * (1.0 / 12.0 - inverse2 * (1.0 / 360.0 - inverse2 * (1.0 / 1260.0)));
+    float power = -a * logOnePlus(b / a) - b * logOnePlus(a / b) + series.x + series.y - series.z;
+    float steps = (s / x) * ((s + 1.0) / y) * ((s + 2.0) / (x + 1.0)) * ((s + 3.0) / (y + 1.0));
+    return steps * sqrt(2.0 * kPi * ab / a / b) * exp(power);
+}
+
+// Masking and shadowing. Correlated: [Heitz 14, eq. 99], of opposite sides [Heitz 16, eq. 18].
 float facetsG2(Facets f, vec3 wo, vec3 wi, vec3 wm) {
     if (f.masking == kMaskingVGroove) return min(grooveG1(wo, wm), grooveG1(wi, wm));
     float o = facetsLambda(f, wo), i = facetsLambda(f, wi);
-    return f.masking == kMaskingCorrelated ? 1.0 / (1.0 + o + i) : 1.0 / ((1.0 + o) * (1.0 + i));
+    if (f.masking != kMaskingCorrelated) return 1.0 / ((1.0 + o) * (1.0 + i));
+    return wo.z * wi.z < 0.0 ? betaFunction(1.0 + o, 1.0 + i) : 1.0 / (1.0 + o + i);
 }
 
 bool samplesVisible(Facets f) { return f.masking == kMaskingVGroove || f.distribution != kDistributionPhong; }

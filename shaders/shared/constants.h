@@ -59,7 +59,7 @@ VKPT_CONST uint kMaskingCorrelated = 0u;     // Smith, height-correlated
 VKPT_CONST uint kMaskingSeparable = 1u;      // Smith, separable
 VKPT_CONST uint kMaskingVGroove = 2u;
 VKPT_CONST uint kAlbedoSide = 48u;           // rows and columns of an albedo table
-VKPT_CONST uint kAlbedoTableWords = 2256u;   // (kAlbedoSide - 1)^2 cells, then kAlbedoSide - 1 averages
+VKPT_CONST uint kAlbedoTableWords = 2304u;   // (kAlbedoSide - 1)^2 cells, kAlbedoSide - 1 averages, kAlbedoSide walks
 
 // TextureRecord.flags. Wrap fields hold kWrap*.
 VKPT_CONST uint kTextureSrgb = 1u;     // decode R, G and B before filtering

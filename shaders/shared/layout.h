@@ -93,7 +93,7 @@ struct BsdfRecord {
     float exponentX;
     vec3 k;           // imaginary part
     float exponentY;
-    vec3 average;     // hemispherical mean of the Fresnel term: conductors a channel each; dielectrics x outside, y inside
+    vec3 average;     // x: hemispherical mean of a dielectric's Fresnel term, from outside; y from inside
     float weight;     // cook_torrance: of the distribution with alphaX, the rest has alphaY
     uint flags;       // kBsdf* bits
     uint table;       // first word of its albedo table in the section of tables; kNone: none
@@ -104,7 +104,8 @@ struct BsdfRecord {
 // One cell of an albedo table: roots of (second, 1 - first - second) as unorm16, the former in the low half, at its
 // four corners.
 // Averages are floats (their bits) at two corners, j and j + 1: (1 - first - second)/alpha^2 in x and y, second in z and
-// w.
+// w. Walks, one a row (estimator.md, Interreflection): of conductors unorm16 (c0, c1) in x and (e0, e1) in y, of
+// dielectrics the floats rho in x and b in y; the float m in z.
 struct AlbedoCell {
     uint x, y, z, w;  // (i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1): cell j (kAlbedoSide - 1) + i, j the row
 };

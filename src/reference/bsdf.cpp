@@ -18,7 +18,6 @@ bool mapsDiffuse(BsdfId model) {
 template <class Real>
 void turn(Bsdf<Real>& b) {
     b.eta = Real(1) / b.eta;
-    std::swap(b.average.x, b.average.y);
     std::swap(b.table, b.farTable);
 }
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "scene/albedo_tables.h"
+#include "scene/facet_walk.h"
 #include "scene/facets.h"
 
 namespace vkpt {
@@ -112,10 +113,23 @@ std::uint32_t quantised(double value) {
 }
 std::uint32_t packed(const Albedo& a) { return quantised(std::sqrt(a.second)) | quantised(std::sqrt(a.lost)) << 16U; }
 
-/// 2 ∫ E(μ) μ dμ of the quantised row as it is looked up: (second, lost). Steps crowd where grazing: μ = t⁴.
-glm::dvec2 meanOf(const Column& column, double alpha) {
+/// Means over uniform light of a quantised row as it is looked up.
+struct Means {
+    double second = 0, lost = 0;
+    double place = 0;  ///< of lost times the x of its walk (facet_walk.h)
+
+    Means& operator+=(const Means& other) {
+        second += other.second;
+        lost += other.lost;
+        place += other.place;
+        return *this;
+    }
+};
+
+/// 2 ∫ E(μ) μ dμ. Steps crowd where grazing: μ = t⁴.
+Means meansOf(const Column& column, double alpha, bool conductor) {
     constexpr int kSteps = 8192;
-    glm::dvec2 sum(0);
+    Means sum;
     for (int s = 0; s < kSteps; ++s) {
         const double t = (s + 0.5) / kSteps, cosine = t * t * t * t;
         const double place = placeOf(cosine, alpha * std::sqrt(1 - cosine * cosine)) * (kSide - 1);
@@ -125,7 +139,8 @@ glm::dvec2 meanOf(const Column& column, double alpha) {
             return glm::dvec2(word & 0xffffU, word >> 16U) / 65535.0;
         };
         const glm::dvec2 v = glm::mix(value(i), value(i + 1), place - static_cast<double>(i));
-        sum += v * v * (8 * cosine * t * t * t / kSteps);
+        const glm::dvec2 part = v * v * (8 * cosine * t * t * t / kSteps);
+        sum += {part.x, part.y, part.y * (conductor ? (1 - cosine) * (1 - cosine) : cosine * cosine * (2 - cosine))};
     }
     return sum;
 }
@@ -133,24 +148,66 @@ glm::dvec2 meanOf(const Column& column, double alpha) {
 /// The mean that is lost comes divided by alpha^2, to which it is about proportional.
 std::uint32_t floatBits(double value) { return std::bit_cast<std::uint32_t>(static_cast<float>(value)); }
 
+/// What the walk tells of one roughness. Conductors: the cosines and then the chances of leaving, at x = 0 and 1;
+/// dielectrics: the share that is transmitted, and how it changes with x, over it.
+glm::dvec4 walkAt(const AlbedoTableKey& key, double alpha) {
+    if (key.eta != 0) {
+        const facets::GlassWalk walk = facets::walkOnGlass(alpha, key.eta);
+        return {walk.share, walk.share > 0 ? (walk.at.at1 - walk.at.at0) / walk.share : 0, 0, 0};
+    }
+    const facets::MetalWalk walk = facets::walkOnMetal(alpha);
+    const auto cosine = [](double cube) { return 1 - std::cbrt(std::clamp(cube, 0.0, 1.0)); };
+    const auto escape = [](double more) { return 1 / std::max(1.0, more); };
+    return {cosine(walk.angle.at0), cosine(walk.angle.at1), escape(walk.more.at0), escape(walk.more.at1)};
+}
+
+/// walkAt every row: measured at some, with straight lines between.
+std::array<glm::dvec4, kSide> walkRows(const AlbedoTableKey& key) {
+    std::array<glm::dvec4, kSide> rows;
+    if (key.alpha) {
+        rows.fill(walkAt(key, std::sqrt(double{key.alpha->x} * double{key.alpha->y})));
+        return rows;
+    }
+    constexpr std::size_t kStep = 4, kKnots = (kSide - 1 + kStep - 1) / kStep + 1;
+    const auto rowOf = [](std::size_t knot) { return std::min(knot * kStep, kSide - 1); };
+    std::array<glm::dvec4, kKnots> knots;
+    tbb::parallel_for(std::size_t{0}, kKnots, [&](std::size_t k) { knots[k] = walkAt(key, alphaOfRow(rowOf(k))); });
+    for (std::size_t row = 0; row < kSide; ++row) {
+        const std::size_t k = std::min(row / kStep, kKnots - 2);
+        const double from = static_cast<double>(rowOf(k)), to = static_cast<double>(rowOf(k + 1));
+        rows[row] = glm::mix(knots[k], knots[k + 1], (static_cast<double>(row) - from) / (to - from));
+    }
+    return rows;
+}
+
+AlbedoCell walkCell(const AlbedoTableKey& key, const glm::dvec4& walk, double place) {
+    if (key.eta != 0) return {floatBits(walk.x), floatBits(walk.y), floatBits(place), 0};
+    const auto pair = [](double a, double b) { return quantised(a) | quantised(b) << 16U; };
+    return {pair(walk.x, walk.y), pair(walk.z, walk.w), floatBits(place), 0};
+}
+
 }  // namespace
 
 std::vector<AlbedoCell> makeAlbedoTable(const AlbedoTableKey& key) {
     std::array<Column, kSide> rows;
     tbb::parallel_for(std::size_t{0}, kSide, [&](std::size_t row) { rows[row] = makeRow(key, row); });
-    std::array<glm::dvec2, kSide> means;
+    std::array<Means, kSide> means;
     for (std::size_t row = 0; row < kSide; ++row) {
         const double phi = static_cast<double>(row) / (kSide - 1) * std::numbers::pi / 2;
         const double alpha = key.alpha ? glm::length(glm::dvec2(*key.alpha) * glm::dvec2(std::cos(phi), std::sin(phi)))
                                        : alphaOfRow(row);
-        means[row] = meanOf(rows[row], alpha);
-        means[row].y /= key.alpha ? key.alpha->x * key.alpha->y : alpha * alpha;
+        means[row] = meansOf(rows[row], alpha, key.eta == 0);
     }
-    if (key.alpha) {  // the mean over all azimuths, for every row
-        glm::dvec2 sum = (means.front() + means.back()) / 2.0;
-        for (std::size_t row = 1; row + 1 < kSide; ++row) sum += means[row];
-        means.fill(sum / double{kSide - 1});
+    if (key.alpha) {  // the mean over all azimuths, for every row: by the trapezoidal rule
+        Means sum;
+        for (std::size_t row = 0; row + 1 < kSide; ++row)
+            for (const Means& m : {means[row], means[row + 1]}) sum += {m.second / 2, m.lost / 2, m.place / 2};
+        means.fill({sum.second / (kSide - 1), sum.lost / (kSide - 1), sum.place / (kSide - 1)});
     }
+    const auto lost = [&](std::size_t row) {
+        const double alpha2 = key.alpha ? key.alpha->x * key.alpha->y : std::pow(alphaOfRow(row), 2);
+        return floatBits(means[row].lost / alpha2);
+    };
     std::vector<AlbedoCell> cells;
     cells.reserve(kAlbedoTableWords);
     for (std::size_t j = 0; j + 1 < kSide; ++j)
@@ -158,8 +215,10 @@ std::vector<AlbedoCell> makeAlbedoTable(const AlbedoTableKey& key) {
             cells.push_back(
                 {packed(rows[j][i]), packed(rows[j][i + 1]), packed(rows[j + 1][i]), packed(rows[j + 1][i + 1])});
     for (std::size_t j = 0; j + 1 < kSide; ++j)
-        cells.push_back(
-            {floatBits(means[j].y), floatBits(means[j + 1].y), floatBits(means[j].x), floatBits(means[j + 1].x)});
+        cells.push_back({lost(j), lost(j + 1), floatBits(means[j].second), floatBits(means[j + 1].second)});
+    const std::array<glm::dvec4, kSide> walks = walkRows(key);
+    for (std::size_t j = 0; j < kSide; ++j)
+        cells.push_back(walkCell(key, walks[j], means[j].lost > 0 ? means[j].place / means[j].lost : 0));
     return cells;
 }
 

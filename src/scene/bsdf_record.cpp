@@ -6,21 +6,12 @@
 namespace vkpt {
 namespace {
 
+/// From outside, and from inside: by reciprocity.
 glm::vec3 meanReflectance(const BsdfSpec& spec) {
-    glm::vec3 mean(0);
-    if (spec.metal) {
-        for (int c = 0; c < 3; ++c)
-            mean[c] = static_cast<float>(facets::hemisphericalMean(
-                [&](double cosine) { return facets::conductor(cosine, spec.eta[c], spec.k[c]); }));
-        return mean;
-    }
+    if (spec.metal) return glm::vec3(0);
     const double eta = spec.eta.x;
-    const auto mean1 = [](double n) {
-        return static_cast<float>(facets::hemisphericalMean([n](double c) { return facets::dielectric(c, n); }));
-    };
-    mean.x = mean1(eta);
-    mean.y = static_cast<float>(1 - (1 - static_cast<double>(mean.x)) / (eta * eta));  // by reciprocity
-    return mean;
+    const double mean = facets::hemisphericalMean([eta](double c) { return facets::dielectric(c, eta); });
+    return {mean, 1 - (1 - mean) / (eta * eta), 0};
 }
 
 /// Beer-Lambert, 1/m.

@@ -1,10 +1,18 @@
 #include "scene/facets.h"
 
 #include <cmath>
-#include <complex>
 #include <numbers>
 
 namespace vkpt::facets {
+namespace {
+
+/// Euler's Beta function.
+double beta(double x, double y) {
+    int sign = 0;
+    return std::exp(lgamma_r(x, &sign) + lgamma_r(y, &sign) - lgamma_r(x + y, &sign));
+}
+
+}  // namespace
 
 double dielectric(double cosine, double eta) {
     const double sin2 = (1 - cosine * cosine) / (eta * eta);
@@ -13,14 +21,6 @@ double dielectric(double cosine, double eta) {
     const double s = (cosine - eta * cosT) / (cosine + eta * cosT);
     const double p = (eta * cosine - cosT) / (eta * cosine + cosT);
     return (s * s + p * p) / 2;
-}
-
-double conductor(double cosine, double eta, double k) {
-    const std::complex<double> n(eta, k);
-    const std::complex<double> cosT = std::sqrt(1.0 - (1 - cosine * cosine) / (n * n));
-    const auto s = (cosine - n * cosT) / (cosine + n * cosT);
-    const auto p = (n * cosine - cosT) / (n * cosine + cosT);
-    return (std::norm(s) + std::norm(p)) / 2;
 }
 
 double Facets::d(const glm::dvec3& wm) const {
@@ -55,7 +55,8 @@ double Facets::lambda(const glm::dvec3& w) const {
 
 double Facets::g2(const glm::dvec3& wo, const glm::dvec3& wi) const {
     const double o = lambda(wo), i = lambda(wi);
-    return masking == Masking::Separable ? 1 / ((1 + o) * (1 + i)) : 1 / (1 + o + i);
+    if (masking == Masking::Separable) return 1 / ((1 + o) * (1 + i));
+    return wo.z * wi.z < 0 ? beta(1 + o, 1 + i) : 1 / (1 + o + i);
 }
 
 }  // namespace vkpt::facets

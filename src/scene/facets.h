@@ -9,8 +9,6 @@ namespace vkpt::facets {
 
 /// Unpolarised reflectance between dielectrics; 1 at total internal reflection. [Walter 07, eq. 22]
 [[nodiscard]] double dielectric(double cosine, double eta);
-/// Unpolarised reflectance of a metal, seen from vacuum. [Born 99, sec. 14.2]
-[[nodiscard]] double conductor(double cosine, double eta, double k);
 
 /// Hemispherical mean of a reflectance, weighted by the cosine.
 template <class Reflectance>
@@ -31,7 +29,8 @@ struct Facets {
     [[nodiscard]] double d(const glm::dvec3& wm) const;
     /// Smith's Lambda; of phong that of beckmann.
     [[nodiscard]] double lambda(const glm::dvec3& w) const;
-    /// Masking and shadowing of a pair of directions, on either side. Not of V-grooves.
+    /// Masking and shadowing of a pair of directions; correlated of opposite sides: [Heitz 16, eq. 18]. Not of
+    /// V-grooves.
     [[nodiscard]] double g2(const glm::dvec3& wo, const glm::dvec3& wi) const;
 };
 

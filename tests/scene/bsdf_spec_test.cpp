@@ -91,9 +91,6 @@ TEST(BsdfRecord, MeansOfFresnelAreThePublishedOnes) {
     const BsdfRecord glass = bsdfRecord(parseBsdfSpec("dielectric:ior=1.5"));
     EXPECT_NEAR(glass.average.x, 0.0918, 5e-4);
     EXPECT_NEAR(glass.average.y, 0.5963, 5e-4);
-    const BsdfRecord gold = bsdfRecord(parseBsdfSpec("conductor:metal=Au"));
-    EXPECT_GT(gold.average.r, gold.average.b + 0.3F);
-    EXPECT_LT(gold.average.r, 1);
 }
 
 }  // namespace

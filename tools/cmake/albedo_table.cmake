@@ -1,6 +1,7 @@
 # Makes the albedo table of glTF's facets with tools/albedo_table and embeds it: library vkpt_albedo_table, whose
 # gltfAlbedoTable() is declared in src/scene/albedo_tables.h.
-add_executable(make_albedo_table tools/albedo_table/main.cpp src/scene/albedo_table.cpp src/scene/facets.cpp)
+add_executable(make_albedo_table tools/albedo_table/main.cpp src/scene/albedo_table.cpp src/scene/facets.cpp
+               src/scene/facet_walk.cpp)
 target_link_libraries(make_albedo_table PRIVATE vkpt_compiler glm::glm TBB::tbb)
 target_compile_options(make_albedo_table PRIVATE -O2)  # in debug and sanitizer builds too
 

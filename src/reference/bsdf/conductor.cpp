@@ -6,17 +6,12 @@ namespace vkpt::reference {
 
 namespace {
 
-template <class Real>
-Vec3<Real> returnedShareOf(const Bsdf<Real>& b) {
-    return returnedShare(b.color * b.average, lostEnergyMean(b, b.table));
-}
-
 /// Probability of the facets against the lobe of interreflection.
 template <class Real>
 Real facetShare(const Bsdf<Real>& b, const Vec3<Real>& wo) {
     if (!b.compensates()) return 1;
-    const Real lost = lostEnergy(b, b.table, wo);
-    return shareOf(luminance(b.color * facetFresnel(b, wo.z)) * (1 - lost), luminance(returnedShareOf(b)) * lost);
+    const Real single = luminance(b.color * facetFresnel(b, wo.z)) * (1 - lostEnergy(b, b.table, wo));
+    return shareOf(single, luminance(MetalInterreflection<Real>(b).albedo(wo)));
 }
 
 }  // namespace
@@ -26,11 +21,7 @@ Vec3<Real> conductorEval(const Bsdf<Real>& b, const Vec3<Real>& wo, const Vec3<R
     if (b.isDelta() || wi.z <= 0) return Vec3<Real>(0);
     const Real cosine = glm::dot(wo, glm::normalize(wo + wi));
     Vec3<Real> f = b.color * facetFresnel(b, cosine) * facetReflection(b.facets(), wo, wi);
-    if (b.compensates()) {
-        const Real lobe =
-            lostEnergyLobe(lostEnergy(b, b.table, wo), lostEnergy(b, b.table, wi), lostEnergyMean(b, b.table));
-        f += returnedShareOf(b) * lobe;
-    }
+    if (b.compensates()) f += MetalInterreflection<Real>(b).eval(wo, wi);
     return f;
 }
 

@@ -31,32 +31,31 @@ struct TransmittingFacet {
     }
 };
 
-/// The lobe that makes good for what facets lose: how probable it is, and how much of it goes through.
+/// Choice of the lobe that makes good for what facets lose: how probable it is, and how much of it goes through.
 template <class Real>
-struct Interreflection {
-    Real probability = 0;            ///< 1 - E(wo)
-    Real transmitted = 0;            ///< share
-    Real nearMean = 0, farMean = 0;  ///< 1 - mean
+struct LostLobe {
+    Real probability = 0;  ///< 1 - E(wo), at most 9/10: few draws of facets would weigh much
+    Real transmitted = 0;  ///< share
 
-    Interreflection(const Bsdf<Real>& b, const Vec3<Real>& wo) {
+    LostLobe(const Bsdf<Real>& b, const Vec3<Real>& wo) {
         if (!b.compensates()) return;
-        probability = lostEnergy(b, b.table, wo);
-        nearMean = lostEnergyMean(b, b.table);
-        farMean = lostEnergyMean(b, b.farTable);
-        const Real lost = nearMean + farMean;
-        transmitted = lost > 0 ? (1 - b.average.x) * farMean / lost : Real(0);
-    }
-
-    [[nodiscard]] Vec3<Real> eval(const Bsdf<Real>& b, const Vec3<Real>& wi) const {
-        if (!(probability > 0)) return Vec3<Real>(0);
-        if (wi.z > 0) {
-            const Real lobe = lostEnergyLobe(probability, lostEnergy(b, b.table, wi), nearMean);
-            return Vec3<Real>((1 - transmitted) * lobe);
-        }
-        const Real lobe = lostEnergyLobe(probability, lostEnergy(b, b.farTable, wi), farMean);
-        return b.color * (transmitted * lobe / (b.eta.x * b.eta.x));
+        const auto near = GlassInterreflection<Real>::bothSides(b)[0];
+        probability = std::min(near.lost(wo), Real(0.9));
+        transmitted = near.transmitted(wo);
     }
 };
+
+template <class Real>
+Vec3<Real> evalLost(const Bsdf<Real>& b, const Vec3<Real>& wo, const Vec3<Real>& wi) {
+    if (!b.compensates()) return Vec3<Real>(0);
+    const auto [near, far] = GlassInterreflection<Real>::bothSides(b);
+    if (wi.z > 0) {
+        const auto reflected = [&](const Vec3<Real>& w) { return near.lost(w) * (1 - near.transmitted(w)); };
+        return Vec3<Real>(lostEnergyLobe(reflected(wo), reflected(wi), near.reflectedMean()));
+    }
+    const Real in = near.lost(wo) * near.transmitted(wo), out = far.lost(wi) * far.transmitted(wi);
+    return b.color * (lostEnergyLobe(in, out, far.transmittedMean()) / (b.eta.x * b.eta.x));
+}
 
 template <class Real>
 Vec3<Real> evalFacets(const Bsdf<Real>& b, const Vec3<Real>& wo, const Vec3<Real>& wi) {
@@ -100,13 +99,13 @@ BsdfSample<Real> crossOrReflect(const Bsdf<Real>& b, const Vec3<Real>& wo, const
 template <class Real>
 Vec3<Real> dielectricEval(const Bsdf<Real>& b, const Vec3<Real>& wo, const Vec3<Real>& wi) {
     if (isSmooth(b) || wi.z == 0) return Vec3<Real>(0);
-    return evalFacets(b, wo, wi) + Interreflection<Real>(b, wo).eval(b, wi);
+    return evalFacets(b, wo, wi) + evalLost(b, wo, wi);
 }
 
 template <class Real>
 Real dielectricPdf(const Bsdf<Real>& b, const Vec3<Real>& wo, const Vec3<Real>& wi) {
     if (isSmooth(b) || wi.z == 0) return 0;
-    const Interreflection<Real> between(b, wo);
+    const LostLobe<Real> between(b, wo);
     const Real facets = (1 - between.probability) * facetsPdf(b, wo, wi);
     if (!(between.probability > 0)) return facets;
     const Real share = wi.z > 0 ? 1 - between.transmitted : between.transmitted;
@@ -121,7 +120,7 @@ BsdfSample<Real> dielectricSample(const Bsdf<Real>& b, const Vec3<Real>& wo, Rea
         if (choose(uLobe, dielectricFresnel(wo.z, eta))) return deltaSample(mirrored(wo), Vec3<Real>(1));
         return deltaSample(refractThrough(wo, normal, eta), b.color / (eta * eta));
     }
-    const Interreflection<Real> between(b, wo);
+    const LostLobe<Real> between(b, wo);
     if (choose(uLobe, between.probability)) {
         Vec3<Real> wi = sampleLostEnergyLobe(b, u);
         if (choose(uLobe, between.transmitted)) wi.z = -wi.z;

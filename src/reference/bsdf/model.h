@@ -19,7 +19,7 @@ struct Bsdf {
     std::uint32_t flags = 0;  ///< kBsdf*
     Vec3<Real> color{1}, diffuse{0};
     Vec3<Real> eta{1}, k{0};  ///< dielectrics: eta.x is that of the far side over that of wo's
-    Vec3<Real> average{0};    ///< dielectrics: x on the side of wo, y beyond
+    Vec3<Real> average{0};    ///< of a dielectric's Fresnel term: x from outside, y from inside
     Real metallic = 0;
     Real alphaX = 1, alphaY = 1;  ///< as given: may be below kDeltaAlpha
     Real exponentX = 0, exponentY = 0;

@@ -20,6 +20,12 @@ Real grooveG1(const Vec3<Real>& w, const Vec3<Real>& wm) {
     return std::min(Real(1), 2 * wm.z * std::abs(w.z) / std::abs(glm::dot(w, wm)));
 }
 
+/// Euler's. In double: the logarithms are large and their sum is not.
+double betaFunction(double x, double y) {
+    int sign = 0;
+    return std::exp(lgamma_r(x, &sign) + lgamma_r(y, &sign) - lgamma_r(x + y, &sign));
+}
+
 }  // namespace
 
 template <class Real>
@@ -46,7 +52,8 @@ template <class Real>
 Real maskingG2(const Facets<Real>& f, const Vec3<Real>& wo, const Vec3<Real>& wi, const Vec3<Real>& wm) {
     if (f.masking == kMaskingVGroove) return std::min(grooveG1(wo, wm), grooveG1(wi, wm));
     if (f.masking == kMaskingSeparable) return 1 / ((1 + smithLambda(f, wo)) * (1 + smithLambda(f, wi)));
-    return 1 / (1 + smithLambda(f, wo) + smithLambda(f, wi));
+    const Real o = smithLambda(f, wo), i = smithLambda(f, wi);
+    return wo.z * wi.z < 0 ? static_cast<Real>(betaFunction(1 + o, 1 + i)) : 1 / (1 + o + i);
 }
 
 template <class Real>

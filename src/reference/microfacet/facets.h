@@ -36,7 +36,8 @@ template <class Real>
 template <class Real>
 [[nodiscard]] Real maskingG1(const Facets<Real>& facets, const Vec3<Real>& w, const Vec3<Real>& wm);
 
-/// Share of the facets wm that are seen from both directions.
+/// Share of the facets wm that are seen from both directions. Height-correlated from opposite sides: [Heitz 16, eq.
+/// 18].
 template <class Real>
 [[nodiscard]] Real maskingG2(const Facets<Real>& facets, const Vec3<Real>& wo, const Vec3<Real>& wi,
                              const Vec3<Real>& wm);

@@ -124,6 +124,11 @@ std::vector<AlbedoCell> makeSmoothTable(std::uint32_t seed) {
         const auto bits = [](float f) { return std::bit_cast<std::uint32_t>(f); };
         cells.push_back({bits(0.5F * a.y), bits(0.5F * b.y), bits(a.x), bits(b.x)});
     }
+    for (std::uint32_t j = 0; j < kAlbedoSide; ++j) {
+        // As a dielectric's row floats, as a conductor's pairs: the upper half of a float is about 0.25.
+        const auto word = [&](glm::vec2 v) { return (std::bit_cast<std::uint32_t>(v.x) & ~0xffffU) | pack(v) >> 16U; };
+        cells.push_back({word(value(5, j)), word(value(20, j)), std::bit_cast<std::uint32_t>(value(9, j).y), 0});
+    }
     return cells;
 }
 

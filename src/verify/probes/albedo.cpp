@@ -22,6 +22,9 @@ struct Out {
     glm::vec4 albedo, mean;
     glm::vec3 direction;
     float pdf;
+    glm::vec4 metal;
+    float metalPlace;
+    glm::vec3 glass;
 };
 
 /// Every cell's neighbourhood, the corners of the table, both sides of the surface.
@@ -60,6 +63,12 @@ void compare(const SceneArrays& arrays, const In& in, const Out& out, Findings& 
     findings.near("albedo", glm::vec3(out.albedo), whole(table.albedo(reference::albedoPlace(b, glm::dvec3(in.w)))),
                   1e-5);
     findings.near("mean albedo", glm::vec3(out.mean), whole(reference::albedoMean(b, table)), 1e-5);
+    const double row = reference::albedoRow(reference::meanAlpha(b));
+    const auto metal = table.metalWalk(row);
+    findings.near("walk on metal", out.metal, glm::dvec4(metal.cosine, metal.escape), 1e-5);
+    findings.near("its place", out.metalPlace, metal.place, 1e-5);
+    const auto glass = table.glassWalk(row);
+    findings.near("walk on glass", out.glass, glm::dvec3(glass.share, glass.slope, glass.place), 1e-5);
     const glm::dvec3 wi = reference::sampleLostEnergyLobe(b, glm::dvec2(in.u));
     findings.near("direction of interreflection", out.direction, wi, 4e-6);
     // The density belongs to the direction that the shader drew.
