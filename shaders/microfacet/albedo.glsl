@@ -21,7 +21,7 @@ float albedoAzimuthRow(vec3 w) { return atan2Accurate(abs(w.y), abs(w.x)) * (2.0
 
 float albedoColumn(AlbedoRoughness r, vec3 w) {
     float mu = abs(w.z), q = r.azimuth ? length(r.alpha * w.xy) : meanAlpha(r) * length(w.xy);
-    return 0.5 * (sqrt(mu) + sqrt(mu / (mu + q)));
+    return 0.5 * (sqrt(mu) + sqrt(sqrt(mu / (mu + q))));
 }
 
 // Of an albedo's corner the roots of (second, lost).

@@ -81,7 +81,9 @@ double alphaOfRow(std::size_t row) {
 
 /// Place of a direction in [0, 1]: half of it follows Fresnel, half the shape that all small alphas share where
 /// grazing.
-double placeOf(double cosine, double spread) { return (std::sqrt(cosine) + std::sqrt(cosine / (cosine + spread))) / 2; }
+double placeOf(double cosine, double spread) {
+    return (std::sqrt(cosine) + std::sqrt(std::sqrt(cosine / (cosine + spread)))) / 2;
+}
 
 /// The cosine at a place; spread / sine is `alpha`.
 double cosineAt(double place, double alpha) {

@@ -103,7 +103,7 @@ template <class Real>
     const Real alpha = meanAlpha(b), cosine = std::min(Real(1), std::abs(w.z));
     const Vec2<Real> stretched = azimuths ? Vec2<Real>(f.alphaX * w.x, f.alphaY * w.y) : alpha * Vec2<Real>(w.x, w.y);
     const Real spread = std::sqrt(glm::dot(stretched, stretched));
-    const Real column = (std::sqrt(cosine) + std::sqrt(cosine / (cosine + spread))) / 2;
+    const Real column = (std::sqrt(cosine) + std::sqrt(std::sqrt(cosine / (cosine + spread)))) / 2;
     const Real row = azimuths ? arcTangent2(std::abs(w.y), std::abs(w.x)) / (kPiOf<Real> / 2) : albedoRow(alpha);
     return {std::min(Real(1), column), std::min(Real(1), row)};
 }
