@@ -69,22 +69,22 @@ vec3 gltfCoupled(GltfBsdf b, vec3 wo, vec3 wi) {
     return f;
 }
 
-// Probabilities of choosing the specular lobe, and otherwise that of interreflection: their shares of the reflected
-// luminance, seen along the normal.
+// Probabilities of choosing the lobe of interreflection, and otherwise the specular one: their shares of the reflected
+// luminance, seen along the normal. The smallest comes first: what its choice leaves of a number is then accurate.
 struct GltfChoices {
-    float specular, interreflection;
+    float interreflection, specular;
 };
 
 float gltfShare(float first, float second) { return first + second > 0.0 ? first / (first + second) : 1.0; }
 
 GltfChoices gltfChoices(GltfBsdf b, float cosO) {
     float s = luminance(fresnelGltf(b, cosO)), d = kPi * luminance(gltfDiffuse(b, cosO));
-    if (kMultiscatter == 0u) return GltfChoices(gltfShare(s, d), 0.0);
+    if (kMultiscatter == 0u) return GltfChoices(0.0, gltfShare(s, d));
     bool delta = b.alpha < kDeltaAlpha;
     if (!delta) s = luminance(mix(vec3(kDielectricF0), b.baseColor, b.metallic) * b.albedoO.x + b.albedoO.y);
     float m = delta ? 0.0 : luminance(gltfReturned(b)) * b.albedoO.z;
     d = luminance((1.0 - b.metallic) * b.baseColor) * gltfLeft(b, cosO, b.albedoO);
-    return GltfChoices(gltfShare(s, m + d), delta ? 0.0 : gltfShare(m, d));
+    return GltfChoices(m > 0.0 ? gltfShare(m, s + d) : 0.0, gltfShare(s, d));
 }
 
 bool isDrawnOverHemisphere(GltfBsdf b) { return kHemisphere != kHemisphereBsdf && b.alpha >= kDeltaAlpha; }
@@ -98,13 +98,12 @@ void gltfEvaluate(GltfBsdf b, vec3 wo, vec3 wi, out vec3 f, out float pdf) {
     GltfChoices choices = gltfChoices(b, wo.z);
     float cosM = abs(dot(wo, wm));
     f = kMultiscatter != 0u ? gltfCoupled(b, wo, wi) : gltfDiffuse(b, cosM);
-    pdf = wi.z * kInvPi;
-    if (kMultiscatter != 0u) pdf = mix(pdf, interreflectionPdf(b.alpha * b.alpha, wi.z), choices.interreflection);
-    pdf *= 1.0 - choices.specular;
+    pdf = wi.z * kInvPi * (1.0 - choices.specular);
     if (b.alpha >= kDeltaAlpha) {
         float d = ggxD(b.alpha, wm);
         f += fresnelGltf(b, cosM) * (d * ggxG2(b.alpha, wo.z, wi.z) / (4.0 * wo.z * wi.z));
         pdf += choices.specular * ggxReflectionPdf(b.alpha, wo.z, wm);
+        if (kMultiscatter != 0u) pdf = mix(pdf, interreflectionPdf(b.alpha * b.alpha, wi.z), choices.interreflection);
     }
     if (isDrawnOverHemisphere(b)) pdf = hemispherePdf(wi.z);
 }
@@ -115,11 +114,12 @@ BsdfSample gltfSample(GltfBsdf b, vec3 wo, float uLobe, vec2 u) {
     BsdfSample s = BsdfSample(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0);
     if (wo.z <= 0.0) return s;
     GltfChoices choices = gltfChoices(b, wo.z);
-    bool specular = uLobe < choices.specular, delta = b.alpha < kDeltaAlpha;
+    bool interreflected = kMultiscatter != 0u && uLobe < choices.interreflection;
+    bool specular = !interreflected && restOfChoice(uLobe, choices.interreflection) < choices.specular;
+    bool delta = b.alpha < kDeltaAlpha;
     vec3 wm = delta ? vec3(0.0, 0.0, 1.0) : ggxSampleVisibleNormal(vec2(b.alpha), wo, u);
     s.wi = specular ? 2.0 * dot(wo, wm) * wm - wo : squareToCosineHemisphere(u);
-    bool interreflected = uLobe - choices.specular < choices.interreflection * (1.0 - choices.specular);
-    if (kMultiscatter != 0u && !specular && interreflected) s.wi = sampleInterreflection(b.alpha * b.alpha, u);
+    if (interreflected) s.wi = sampleInterreflection(b.alpha * b.alpha, u);
     if (isDrawnOverHemisphere(b)) s.wi = sampleHemisphere(vec2(uLobe, u.y));
     if (s.wi.z <= 0.0) return s;
     if (specular && delta) {

@@ -21,7 +21,7 @@ void evaluateBsdf(GltfBsdf b, vec3 wo, vec3 wi, out vec3 f, out float pdf) { glt
 // The first number of the direction chooses the lobe; what is left of it goes on. [estimator.md, step 6]
 BsdfSample sampleBsdf(GltfBsdf b, vec3 wo, float uLobe, vec2 u) {
     GltfChoices choices = gltfChoices(b, wo.z);
-    float rest = restOfChoice(u.x, choices.specular);
-    if (kMultiscatter != 0u && u.x >= choices.specular) rest = restOfChoice(rest, choices.interreflection);
+    float rest = kMultiscatter != 0u ? restOfChoice(u.x, choices.interreflection) : u.x;
+    if (u.x >= choices.interreflection) rest = restOfChoice(rest, choices.specular);
     return gltfSample(b, wo, u.x, vec2(rest, u.y));
 }

@@ -1,7 +1,8 @@
 #version 460
-// In: base colour, metallic; wo, alpha; wi; uLobe, u. Out: f(wo, wi), pdf; sampled wi, pdf; its weight, pSpecular.
+// In: base colour, metallic; wo, alpha; wi; uLobe, u. Out: f(wo, wi), pdf; sampled wi, pdf; its weight, the probability of the specular lobe;
+// that of interreflection.
 #extension GL_GOOGLE_include_directive : require
-const uint kInputWords = 4u, kOutputWords = 3u;
+const uint kInputWords = 4u, kOutputWords = 4u;
 #include "probes/scene_probe.glsl"
 #include "bsdf/bsdf.glsl"
 #include "microfacet/ggx.glsl"
@@ -19,5 +20,7 @@ void main() {
     BsdfSample s = gltfSample(b, wo.xyz, u.x, u.yz);
     putFloat(0u, vec4(f, pdf));
     putFloat(1u, vec4(s.wi, s.pdf));
-    putFloat(2u, vec4(s.weight, gltfChoices(b, wo.z).specular));
+    GltfChoices choices = gltfChoices(b, wo.z);
+    putFloat(2u, vec4(s.weight, choices.specular));
+    putFloat(3u, vec4(choices.interreflection));
 }

@@ -23,7 +23,7 @@ namespace vkpt::reference {
 #include "reference_bsdfs.inc"
 #undef VKPT_BSDF
 
-/// glTF's material, `alpha` its roughness squared. Its specular lobe is chosen with gltfSpecularShare.
+/// glTF's material, `alpha` its roughness squared.
 template <class Real>
 [[nodiscard]] Bsdf<Real> makeGltfBsdf(const Vec3<Real>& base, Real metallic, Real alpha) {
     Bsdf<Real> b;
@@ -32,9 +32,15 @@ template <class Real>
     b.alphaX = b.alphaY = alpha;
     return b;
 }
-/// The probability of glTF's specular lobe seen from wo.
+/// Probabilities of glTF's lobes.
 template <class Real>
-[[nodiscard]] Real gltfSpecularShare(const Bsdf<Real>& b, const Vec3<Real>& wo);
+struct GltfShares {
+    Real interreflection;  ///< of facets of the layer, against both others
+    Real specular;         ///< of the rest, against the diffuse lobe
+};
+/// Seen from wo.
+template <class Real>
+[[nodiscard]] GltfShares<Real> gltfShares(const Bsdf<Real>& b, const Vec3<Real>& wo);
 
 /// Uniform in [0,1) again: what glTF's choices of a lobe have not used up of u. [Shirley 96]
 template <class Real>

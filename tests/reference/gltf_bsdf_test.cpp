@@ -207,7 +207,7 @@ TEST(GltfBsdf, MirrorIsADeltaLobe) {
     const Bsdf<double> plastic = makeGltfBsdf(D3(0.9, 0.5, 0.1), 0.0, 0.0);
     EXPECT_TRUE(plastic.isDelta() && hasDensity(plastic, wo));
     EXPECT_NEAR(sampleBsdf(plastic, wo, 0.0, {0.4, 0.6}).weight.x,
-                (0.04 + 0.96 * std::pow(0.4, 5)) / gltfSpecularShare(plastic, wo), 1e-7);
+                (0.04 + 0.96 * std::pow(0.4, 5)) / gltfShares(plastic, wo).specular, 1e-7);
 }
 
 // The limit is continuous: a lobe just above the threshold sends as much light into the mirror's cone.
@@ -227,8 +227,8 @@ TEST(GltfBsdf, NarrowLobeTendsToTheMirror) {
 }
 
 TEST(GltfBsdf, BlackMetalIsAllSpecular) {
-    EXPECT_EQ(gltfSpecularShare(makeGltfBsdf(D3(0), 1.0, 0.25), directionAt(0.7, 0)), 1);
-    EXPECT_EQ(gltfSpecularShare(makeGltfBsdf(D3(0), 1.0, 0.25), directionAt(1, 0)), 1);  // not even Fresnel: no 0/0
+    EXPECT_EQ(gltfShares(makeGltfBsdf(D3(0), 1.0, 0.25), directionAt(0.7, 0)).specular, 1);
+    EXPECT_EQ(gltfShares(makeGltfBsdf(D3(0), 1.0, 0.25), directionAt(1, 0)).specular, 1);  // not even Fresnel: no 0/0
 }
 
 }  // namespace

@@ -27,13 +27,6 @@ Vec3<Real> uncoupledAlbedo(const Bsdf<Real>& b, Real cosine) {
     return (1 - b.metallic) * (1 - fd) * b.color;
 }
 
-/// Probabilities of the three lobes.
-template <class Real>
-struct Shares {
-    Real specular = 1;
-    Real returned = 0;  ///< of those that are not specular: interreflection in the layer, against the base
-};
-
 /// The layer with interreflection: its albedos and what both lobes become.
 template <class Real>
 class Layer {
@@ -56,13 +49,14 @@ public:
         return f;
     }
 
-    [[nodiscard]] Shares<Real> shares(const Vec3<Real>& wo) const {
+    [[nodiscard]] GltfShares<Real> shares(const Vec3<Real>& wo) const {
         const Vec3<Real> f0 = glm::mix(Vec3<Real>(kF0<Real>), b_.color, b_.metallic);
         const Albedo<Real> o = at(wo);
         const Vec3<Real> specular = delta_ ? specularFresnel(b_, wo.z) : f0 * o.first() + o.second;
         const Real base = luminance((1 - b_.metallic) * b_.color * left(wo, o));
         const Real returned = delta_ ? Real(0) : luminance(returned_) * o.lost;
-        return {shareOf(luminance(specular), returned + base), returned > 0 ? shareOf(returned, base) : Real(0)};
+        const Real once = luminance(specular);
+        return {returned > 0 ? shareOf(returned, once + base) : Real(0), shareOf(once, base)};
     }
 
 private:
@@ -89,24 +83,19 @@ bool isCoupled(const Bsdf<Real>& b) {
     return b.multiscatter && b.table.exists();
 }
 
-template <class Real>
-Shares<Real> sharesOf(const Bsdf<Real>& b, const Vec3<Real>& wo) {
-    if (isCoupled(b)) return Layer<Real>(b).shares(wo);
-    const Real cosine = std::abs(wo.z);
-    return {shareOf(luminance(specularFresnel(b, cosine)), luminance(uncoupledAlbedo(b, cosine)))};
-}
-
 }  // namespace
 
 template <class Real>
-Real gltfSpecularShare(const Bsdf<Real>& b, const Vec3<Real>& wo) {
-    return sharesOf(b, wo).specular;
+GltfShares<Real> gltfShares(const Bsdf<Real>& b, const Vec3<Real>& wo) {
+    if (isCoupled(b)) return Layer<Real>(b).shares(wo);
+    const Real cosine = std::abs(wo.z);
+    return {0, shareOf(luminance(specularFresnel(b, cosine)), luminance(uncoupledAlbedo(b, cosine)))};
 }
 
 template <class Real>
 Real gltfAfterChoices(const Bsdf<Real>& b, const Vec3<Real>& wo, Real u) {
-    const Shares<Real> p = sharesOf(b, wo);
-    if (!choose(u, p.specular)) (void)choose(u, p.returned);
+    const GltfShares<Real> p = gltfShares(b, wo);
+    if (!choose(u, p.interreflection)) (void)choose(u, p.specular);
     return std::min(u, Real(kBelowOne));
 }
 
@@ -123,33 +112,34 @@ Vec3<Real> gltfEval(const Bsdf<Real>& b, const Vec3<Real>& wo, const Vec3<Real>&
 template <class Real>
 Real gltfPdf(const Bsdf<Real>& b, const Vec3<Real>& wo, const Vec3<Real>& wi) {
     if (wi.z <= 0) return 0;
-    const Shares<Real> p = sharesOf(b, wo);
-    Real rest = (1 - p.specular) * wi.z / kPiOf<Real>;
-    if (p.returned > 0) rest = rest * (1 - p.returned) + (1 - p.specular) * p.returned * lostEnergyLobePdf(b, wi);
-    if (b.isDelta()) return rest;
-    const Vec3<Real> wm = glm::normalize(wo + wi);
-    return p.specular * ggxD(wm, b.alphaX) * ggxG1(wo.z, b.alphaX) / (4 * wo.z) + rest;
+    const GltfShares<Real> p = gltfShares(b, wo);
+    Real once = (1 - p.specular) * wi.z / kPiOf<Real>;
+    if (!b.isDelta()) {
+        const Vec3<Real> wm = glm::normalize(wo + wi);
+        once += p.specular * ggxD(wm, b.alphaX) * ggxG1(wo.z, b.alphaX) / (4 * wo.z);
+    }
+    return p.interreflection > 0 ? p.interreflection * lostEnergyLobePdf(b, wi) + (1 - p.interreflection) * once : once;
 }
 
 template <class Real>
 BsdfSample<Real> gltfSample(const Bsdf<Real>& b, const Vec3<Real>& wo, Real uLobe, const Vec2<Real>& u) {
-    const Shares<Real> p = sharesOf(b, wo);
+    const GltfShares<Real> p = gltfShares(b, wo);
+    if (choose(uLobe, p.interreflection)) return towards(sampleLostEnergyLobe(b, u));
     if (choose(uLobe, p.specular)) {
         if (b.isDelta()) return deltaSample(mirrored(wo), specularFresnel(b, wo.z) / p.specular);
         return towards(reflectAbout(wo, sampleGgxVisibleNormal(wo, b.alphaX, u)));
     }
-    if (choose(uLobe, p.returned)) return towards(sampleLostEnergyLobe(b, u));
     return towards(squareToCosineHemisphere(u));
 }
 
 template <class Real>
 bool gltfHasDensity(const Bsdf<Real>& b, const Vec3<Real>& wo) {
-    return !b.isDelta() || gltfSpecularShare(b, wo) < 1;
+    return !b.isDelta() || gltfShares(b, wo).specular < 1;
 }
 
 template float gltfAfterChoices(const Bsdf<float>&, const Vec3<float>&, float);
-template float gltfSpecularShare(const Bsdf<float>&, const Vec3<float>&);
-template double gltfSpecularShare(const Bsdf<double>&, const Vec3<double>&);
+template GltfShares<float> gltfShares(const Bsdf<float>&, const Vec3<float>&);
+template GltfShares<double> gltfShares(const Bsdf<double>&, const Vec3<double>&);
 VKPT_INSTANTIATE_BSDF(gltf)
 
 }  // namespace vkpt::reference
