@@ -2,6 +2,7 @@
 // not independent of each other.
 #pragma once
 #include <array>
+#include <functional>
 
 #include "compare/statistics.h"
 #include "test_scene.h"
@@ -12,12 +13,24 @@ struct Estimate {
     double mean = 0, standardError = 0;
 };
 
+/// The film of each seed, of one scene under one set of options.
+using FilmOfSeed = std::function<Film(std::uint32_t seed)>;
+/// Makes one; the scene must outlive it. Tests that take a Renderer run on the reference and on the device.
+using Renderer = std::function<FilmOfSeed(const SceneArrays& scene, const RenderOptions& options)>;
+
+inline FilmOfSeed onReference(const SceneArrays& scene, const RenderOptions& options) {
+    return [&scene, options](std::uint32_t seed) {
+        RenderOptions other = options;
+        other.params.seed = seed;
+        return renderReference(scene, other);
+    };
+}
+
 /// Of the mean of the image over `seeds` renders, a channel each.
-inline std::array<Estimate, 3> estimateRgb(const SceneArrays& scene, RenderOptions options, std::uint32_t seeds) {
+inline std::array<Estimate, 3> estimateRgb(const FilmOfSeed& render, std::uint32_t seeds) {
     std::array<std::vector<double>, 3> means;
     for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
-        options.params.seed = seed;
-        const glm::dvec4 mean = meanOf(renderReference(scene, options));
+        const glm::dvec4 mean = meanOf(render(seed));
         for (std::size_t c = 0; c < 3; ++c) means[c].push_back(mean[static_cast<int>(c)]);
     }
     std::array<Estimate, 3> estimates;
@@ -27,6 +40,11 @@ inline std::array<Estimate, 3> estimateRgb(const SceneArrays& scene, RenderOptio
     }
     return estimates;
 }
+inline std::array<Estimate, 3> estimateRgb(const SceneArrays& scene, const RenderOptions& options,
+                                           std::uint32_t seeds) {
+    return estimateRgb(onReference(scene, options), seeds);
+}
+inline Estimate estimate(const FilmOfSeed& render, std::uint32_t seeds) { return estimateRgb(render, seeds)[0]; }
 inline Estimate estimate(const SceneArrays& scene, const RenderOptions& options, std::uint32_t seeds) {
     return estimateRgb(scene, options, seeds)[0];
 }

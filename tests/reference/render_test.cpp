@@ -81,22 +81,6 @@ TEST(Render, ClosedMirrorRoomCountsItsBounces) {
     }
 }
 
-// Roulette changes noise, not the mean: the same room with survival 0.7.
-TEST(Render, RouletteKeepsTheMean) {
-    Material glowing = metal(glm::vec3(1), 0);
-    glowing.emissive = glm::vec3(1);
-    SceneBuilder builder;
-    const SceneArrays scene = builder.roomAround(builder.material(glowing), glm::vec3(0), 3).build();
-    RenderOptions options = viewAlongZ(32, 1, 64, 4, 1);
-    options.params.projection = kProjectionPerspective;
-    options.params.rrMode = kRouletteFixed;
-    options.params.rrFixed = 0.7F;
-    options.params.rrDepth = 2;
-    EXPECT_NEAR(meanOf(renderReference(scene, options)).g, 5, 0.02);
-    options.params.rrMode = kRouletteThroughput;  // throughput stays 1: nothing may die
-    EXPECT_NEAR(meanOf(renderReference(scene, options)).g, 5, 1e-3);
-}
-
 TEST(Render, DirectionalLightGivesFTimesCosine) {
     SceneBuilder builder = plane(metal({0.9F, 0.6F, 0.3F}, 0.5F));
     PunctualLight sun;

@@ -24,6 +24,19 @@ Film renderWith(const SceneArrays& arrays, const RenderOptions& options, const W
     return film;
 }
 
+std::function<Film(std::uint32_t)> onDevice(const SceneArrays& arrays, const RenderOptions& options) {
+    WavefrontConfig config = makeConfig();
+    const std::uint64_t paths = std::uint64_t{options.params.width} * options.params.height * options.sampleEnd;
+    config.pathsInFlight = static_cast<std::uint32_t>(std::min<std::uint64_t>(paths, 1U << 18U));
+    return [renderer = std::make_shared<WavefrontRenderer>(arrays, options, config), options](std::uint32_t seed) {
+        renderer->select(seed, options.sampleBegin, options.sampleEnd);
+        Film film = renderer->render({});
+        EXPECT_EQ(film.refused, 0U);
+        EXPECT_EQ(renderer->validationMessages(), 0U);
+        return film;
+    };
+}
+
 bool isSame(const Film& a, const Film& b) {
     return a.width == b.width && a.height == b.height && a.ranges == b.ranges && a.sums.size() == b.sums.size() &&
            std::memcmp(a.sums.data(), b.sums.data(), a.sums.size() * sizeof(FilmSums)) == 0 && a.layers == b.layers;

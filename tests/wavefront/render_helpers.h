@@ -2,6 +2,8 @@
 #pragma once
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "verify/inputs/scenes.h"
 #include "wavefront/renderer.h"
 
@@ -14,6 +16,9 @@ namespace vkpt {
 [[nodiscard]] Film renderWith(const SceneArrays& arrays, const RenderOptions& options,
                               const WavefrontConfig& config = makeConfig(), WavefrontStats* stats = nullptr,
                               const RenderControl& control = {});
+
+/// Makes a renderer for films of many seeds (a test::Renderer); each fails the test as those of renderWith do.
+[[nodiscard]] std::function<Film(std::uint32_t seed)> onDevice(const SceneArrays& arrays, const RenderOptions& options);
 
 /// Equal to the bit, samples included.
 [[nodiscard]] bool isSame(const Film& a, const Film& b);
