@@ -166,7 +166,7 @@ inline void aMirrorShowsALamp(const Renderer& render) {
                       [&](const RenderOptions& options) { EXPECT_NEAR(redOf(render, scene, options), 2, 1e-5); });
 }
 
-/// Under uniform light a surface shows its albedo.
+/// Under uniform light a surface shows its albedo, and all of its sky is open.
 inline void furnaceShowsTheAlbedo(const Renderer& render) {
     const SceneArrays matteScene = furnaceOf(bsdfMaterial("lambert:color=0.8"));
     const SceneArrays metalScene = furnaceOf(metal({1, 0.7F, 0.3F}, 0.6F));
@@ -179,6 +179,12 @@ inline void furnaceShowsTheAlbedo(const Renderer& render) {
             expectEstimates(estimate(render(matteScene, o), 8), 0.8, 1e-4);
             expectEstimates(estimate(render(metalScene, o), 8), metalAlbedo, 1e-3);
         });
+    }
+    RenderOptions open = viewAtAngle(0.7F, 0.5F, 32, 1);
+    open.params.integrator = static_cast<std::uint32_t>(IntegratorId::Ao);
+    for (const NamedId& hemisphere : kEveryHemisphere) {
+        open.params.hemisphere = hemisphere.id;
+        expectEstimates(estimate(render(metalScene, open), 8), 1);
     }
 }
 
