@@ -85,6 +85,7 @@ struct ConvergenceScene {
     ConvergenceCase (*make)();
     bool (*suits)(const Estimator&) = [](const Estimator&) { return true; };
 };
+inline void PrintTo(const ConvergenceScene& scene, std::ostream* out) { *out << scene.name; }  // found by GoogleTest
 inline constexpr std::array kConvergenceScenes = {
     ConvergenceScene{"cornell_box", cornellBox},
     ConvergenceScene{"mis_plates", veachsPlates, [](const Estimator& e) { return !isBlind(e); }},
