@@ -26,8 +26,9 @@ TEST(Convergence, IsDeniedToWhatGainsOnePercentFull) {
         for (float& value : image.pixels) value *= 1.01F;
         return image;
     };
-    EXPECT_FALSE(compareToReference(brighter, reference).agrees());
-    EXPECT_TRUE(compareToReference(reference, reference).agrees());
+    const std::size_t estimators = estimatorsIn({"glass", glassRoom}).size();
+    EXPECT_FALSE(compareToReference(brighter, reference, estimators).agrees());
+    EXPECT_TRUE(compareToReference(reference, reference, estimators).agrees());
 }
 
 }  // namespace
