@@ -70,7 +70,8 @@ vec3 gltfCoupled(GltfBsdf b, vec3 wo, vec3 wi) {
 }
 
 // Probabilities of choosing the lobe of interreflection, and otherwise the specular one: their shares of the reflected
-// luminance, seen along the normal. The smallest comes first: what its choice leaves of a number is then accurate.
+// luminance, seen along the normal. What the first choice leaves of a number is accurate however improbable it is, and
+// interreflection can be next to nothing.
 struct GltfChoices {
     float interreflection, specular;
 };
