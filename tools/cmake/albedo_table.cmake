@@ -21,6 +21,7 @@ namespace vkpt {
 std::span<const AlbedoCell> gltfAlbedoTable() { return {vkpt_albedo_table, std::size_t{kAlbedoTableWords}}; }
 }  // namespace vkpt
 ")
-set_source_files_properties("${table}.cpp" PROPERTIES OBJECT_DEPENDS "${table}.bin")
+# Alone, since a source that is compiled with others loses what its object depends on.
+set_source_files_properties("${table}.cpp" PROPERTIES OBJECT_DEPENDS "${table}.bin" SKIP_UNITY_BUILD_INCLUSION ON)
 add_library(vkpt_albedo_table STATIC "${table}.cpp")
 target_link_libraries(vkpt_albedo_table PUBLIC vkpt_compiler glm::glm)

@@ -28,7 +28,8 @@ std::span<const std::uint32_t> pmj02Tables() { return {vkpt_pmj02, std::size_t{k
 std::span<const std::uint16_t> blueNoiseMask() { return {vkpt_blue_noise, std::size_t{kMaskSide} * kMaskSide}; }
 }  // namespace vkpt
 ")
+# Alone, since a source that is compiled with others loses what its object depends on.
 set_source_files_properties("${folder}/tables.cpp" PROPERTIES
-  OBJECT_DEPENDS "${folder}/pmj02.bin;${folder}/blue_noise.bin")
+  OBJECT_DEPENDS "${folder}/pmj02.bin;${folder}/blue_noise.bin" SKIP_UNITY_BUILD_INCLUSION ON)
 add_library(vkpt_sampler_tables STATIC "${folder}/tables.cpp")
 target_link_libraries(vkpt_sampler_tables PUBLIC vkpt_compiler)

@@ -49,7 +49,8 @@ std::span<const std::uint32_t> @function@(std::string_view name) {
 }
 }  // namespace vkpt
 ")
-  set_source_files_properties("${embed}" PROPERTIES OBJECT_DEPENDS "${binaries}")
+  # Alone, since a source that is compiled with others loses what its object depends on.
+  set_source_files_properties("${embed}" PROPERTIES OBJECT_DEPENDS "${binaries}" SKIP_UNITY_BUILD_INCLUSION ON)
   add_library(${target} STATIC "${embed}")
   target_link_libraries(${target} PUBLIC vkpt_compiler)
 endfunction()
