@@ -24,7 +24,7 @@ struct WavefrontConfig {
     std::string device;               ///< "", an index, or a part of a name
     bool validation = false;          ///< validation layers
     Fetch fetch = Fetch::Auto;        ///< how kernels read the scene
-    std::uint32_t pathsInFlight = 0;  ///< 0: 262,144
+    std::uint32_t pathsInFlight = 0;  ///< 0: 65,536 where kernels run on the CPU, else 262,144
     bool timings = false;             ///< measure each stage
     bool ballot = true;               ///< compact by subgroup ballot where the device has it
     SpirvSource kernels{};            ///< empty: those of shaders/kernels

@@ -12,8 +12,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::uint32_t kDefaultPaths = 1U << 18;
-
 struct Frame {  // the uniform block of shaders/geometry/fetch.glsl
     SceneHeader scene;
     RenderParams render;
@@ -35,6 +33,10 @@ bool useTexels(const Device& device, WavefrontConfig::Fetch fetch, std::size_t b
     if (fetch != WavefrontConfig::Fetch::Auto) return fetch == WavefrontConfig::Fetch::Texel;
     return texelsFit && (device.info().isCpu || !storageFits);
 }
+
+/// Paths in flight unless the caller says: where kernels run on the CPU as many as its caches hold, else enough to fill
+/// a large device.
+std::uint32_t defaultPaths(const Device& device) { return device.info().isCpu ? 1U << 16U : 1U << 18U; }
 
 /// Path state is read through texels where kernels run on the CPU: a load takes a third of the time there.
 bool useStateTexels(const Device& device, WavefrontConfig::Fetch fetch, std::size_t bytes) {
@@ -63,7 +65,7 @@ WavefrontRenderer::Impl::Impl(const SceneArrays& arrays, const RenderOptions& re
       device({config.device, config.validation}),
       layout(planScene(arrays, options.sampler, lastIndex(options), options.params)),
       filmLayout(options.aovs, options.light),
-      capacity(config.pathsInFlight != 0 ? config.pathsInFlight : kDefaultPaths),
+      capacity(config.pathsInFlight != 0 ? config.pathsInFlight : defaultPaths(device)),
       texels(useTexels(device, config.fetch, layout.bytes)),
       stateTexel(useStateTexels(device, config.fetch, stateBytes(capacity))),
       ballot(config.ballot && device.info().subgroupBallot),
