@@ -4,9 +4,13 @@
 #define VKPT_FRAME_BINDING 0
 #endif
 layout(set = 0, binding = VKPT_FRAME_BINDING, std140) uniform Frame {
-    SceneHeader scene;
-    RenderParams render;
-};
+    SceneHeader header;
+    RenderParams params;
+    TriangleRecord list[kListMax];   // where there are no more: see searchList
+} frame;
+// Read before all else: what is read where every invocation runs, drivers on a CPU read once for all of them.
+SceneHeader scene = frame.header;
+RenderParams render = frame.params;
 layout(set = 0, binding = VKPT_FRAME_BINDING + 1, std430) readonly restrict buffer SceneWords { uvec4 sceneWords[]; };
 layout(set = 0, binding = VKPT_FRAME_BINDING + 2, rgba32ui) readonly restrict uniform uimageBuffer sceneTexels;
 

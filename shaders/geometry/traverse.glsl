@@ -26,22 +26,19 @@ struct Traversal {
     Hit hit;
 };
 
-// Tests triangle `slot`; returns whether it became the hit.
-bool testTriangle(inout Traversal s, uint slot, uint instance, AlphaKey key) {
-    if (kIntegrator == kIntegratorCost) ++searchCost.y;
-    uint base = scene.triangles + slot * 4u;
-    uvec4 w0 = sceneWord(base), w1 = sceneWord(base + 1u), w2 = sceneWord(base + 2u);
-    vec4 r = intersectTriangle(s.sheared, uintBitsToFloat(w0.xyz), uintBitsToFloat(w1.xyz), uintBitsToFloat(w2.xyz));
-    bool first = w2.w < s.hit.primitive || (w2.w == s.hit.primitive && instance < s.hit.instance);  // settles ties
-    bool nearer = r.x < s.hit.t || (r.x == s.hit.t && first);
-    if (r.w == 0.0 || r.x <= 0.0 || !nearer) return false;
-    if (r.w < 0.0 && (w0.w & kTriangleSingleSided) != 0u) return false;
+// Tests triangle `slot`, whose first words are in `t`; returns whether it became the hit.
+bool testTriangle(ShearedRay ray, inout Hit hit, TriangleRecord t, uint slot, uint instance, AlphaKey key) {
+    vec4 r = intersectTriangle(ray, t.v0, t.v1, t.v2);
+    bool first = t.primitive < hit.primitive || (t.primitive == hit.primitive && instance < hit.instance);  // of ties
+    bool nearer = r.x < hit.t || (r.x == hit.t && first), seen = r.w > 0.0 || (t.flags & kTriangleSingleSided) == 0u;
+    bool met = r.w != 0.0 && r.x > 0.0 && nearer && seen;
     vec2 b12 = vec2(r.z, 1.0 - r.y - r.z);
-    if (kHasAlpha != 0u && (w0.w & kTriangleHasAlpha) != 0u) {
-        if (!alphaAccepts(key, w0.w, sceneWord(base + 3u).xyz, instance, w2.w, b12)) return false;
+    if (kHasAlpha != 0u && met && (t.flags & kTriangleHasAlpha) != 0u) {
+        uvec3 vertices = sceneWord(scene.triangles + slot * 4u + 3u).xyz;
+        met = alphaAccepts(key, t.flags, vertices, instance, t.primitive, b12);
     }
-    s.hit = Hit(r.x, b12.x, b12.y, slot, instance, w2.w);
-    return true;
+    if (met) hit = Hit(r.x, b12.x, b12.y, slot, instance, t.primitive);
+    return met;
 }
 
 vec3 transformPoint(vec4 rows[3], vec3 p) {
@@ -54,10 +51,18 @@ void setRay(inout Traversal s, vec3 origin, vec3 d) {
     s.sheared = shearRay(origin, d);
 }
 
-// Walks the tree. Finds the closest hit in 0 < t < tMax (a hit at tMax itself does not count), or with
-// `anyHit` stops at the first. slot is kNone where nothing is met. One loop, each round a node or an item: where
+// Few triangles are all tested, in the order of the list: none is loaded twice, and where invocations run in lockstep
+// they do nothing that only some of them need. Unrolled, so that every load is of a place known to the driver.
+Hit searchList(vec3 origin, vec3 d, float tMax, AlphaKey key) {
+    ShearedRay ray = shearRay(origin, d);
+    Hit hit = Hit(tMax, 0.0, 0.0, kNone, 0u, 0u);
+    [[unroll]] for (uint i = 0u; i < kListTriangles; ++i) testTriangle(ray, hit, frame.list[i], i, 0u, key);
+    return hit;
+}
+
+// Walks the tree; with `anyHit` stops at the first hit. One loop, each round a node or an item: where
 // invocations run in lockstep an inner loop over items would wait for the longest list at every node.
-Hit traverse(vec3 origin, vec3 d, float tMax, AlphaKey key, bool anyHit) {
+Hit walkTree(vec3 origin, vec3 d, float tMax, AlphaKey key, bool anyHit) {
     Traversal s;
     s.hit = Hit(tMax, 0.0, 0.0, kNone, 0u, 0u);
     setRay(s, origin, d);
@@ -82,7 +87,8 @@ Hit traverse(vec3 origin, vec3 d, float tMax, AlphaKey key, bool anyHit) {
             uint item = items.x + uint(findLSB(items.y));
             items.y &= items.y - 1u;
             if (inMesh) {
-                if (testTriangle(s, item, instance, key) && anyHit) break;
+                if (kIntegrator == kIntegratorCost) ++searchCost.y;
+                if (testTriangle(s.sheared, s.hit, loadTriangle(item), item, instance, key) && anyHit) break;
             } else {
                 if (nodes.y > 0x00ffffffu) stack[depth++] = nodes;
                 if (items.y != 0u) stack[depth++] = items;   // the group's other instances come after this one
@@ -108,4 +114,11 @@ Hit traverse(vec3 origin, vec3 d, float tMax, AlphaKey key, bool anyHit) {
         }
     }
     return s.hit;
+}
+
+// The closest hit in 0 < t < tMax (a hit at tMax itself does not count), or with `anyHit` any. slot is kNone where
+// nothing is met.
+Hit traverse(vec3 origin, vec3 d, float tMax, AlphaKey key, bool anyHit) {
+    if (kListTriangles != 0u) return searchList(origin, d, tMax, key);
+    return walkTree(origin, d, tMax, key, anyHit);
 }

@@ -2,6 +2,7 @@
 // [estimator.md, Integrators]
 #include "kernels/preamble.glsl"
 #include "kernels/draw.glsl"
+const uint kAppends = 1u;
 #include "kernels/append.glsl"
 #include "kernels/light_layers.glsl"
 #include "kernels/camera_depth.glsl"
@@ -48,6 +49,6 @@ void main() {
         }
     }
     if (kIntegrator != kIntegratorAo) return;
-    uint slot = appendSlot(batch.bounce, kQueueShadow, lit);
-    if (lit) storeShadowItem(slot, path, shadow);
+    uint slots[kAppends] = appendSlots(uint[](queueCounter(batch.bounce, kQueueShadow)), bool[](lit));
+    if (lit) storeShadowItem(slots[0], path, shadow);
 }

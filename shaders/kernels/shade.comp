@@ -1,6 +1,5 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#extension GL_EXT_control_flow_attributes : require
 #include "kernels/shade_preamble.glsl"
 #include "bsdf/group_gltf.glsl"
 #include "kernels/shade.glsl"

@@ -145,7 +145,7 @@ void main() {
     bool live = i < queueSize(batch.bounce, kShadeQueue), lit = false, scattered = false;
     PathVertex v;
     ShadowItem shadow;
-    vec3 origin, direction;
+    vec3 emitted, origin, direction;
     vec4 throughput;
     float pdf;
     if (live) {
@@ -153,20 +153,21 @@ void main() {
         // Each of these functions is called once: drivers inline every call before they strip what constants exclude.
         DirectSample direct = sampleDirect(v);
         bool looks = kIntegrator == kIntegratorLightProbability;
-        addEmission(v, looks ? vec3(lightProbability(v, direct)) : emittedRadiance(v));
+        emitted = looks ? vec3(lightProbability(v, direct)) : emittedRadiance(v);
         if (!looks && batch.bounce < render.maxDepth && !isUnlit(v)) {
             shadow = makeShadowItem(v, direct);
             lit = takesLightSample() && maxMagnitude(shadow.radiance) > 0.0;
             scattered = samplePathDirection(v, origin, direction, throughput, pdf) && takesBsdfSample();
         }
     }
-    uint shadowSlot = appendSlot(batch.bounce, kQueueShadow, lit);
-    uint raySlot = appendSlot(batch.bounce + 1u, kQueueRay, scattered);
-    if (lit) storeShadowItem(shadowSlot, v.path, shadow);
+    uint counterOf[kAppends] = uint[](queueCounter(batch.bounce, kQueueShadow), queueCounter(batch.bounce + 1u, kQueueRay));
+    uint slots[kAppends] = appendSlots(counterOf, bool[](lit, scattered));
+    if (live) addEmission(v, emitted);
+    if (lit) storeShadowItem(slots[0], v.path, shadow);
     if (scattered) {
         storeStateFloat(kStateOrigin, v.path, vec4(origin, pdf));
         storeStateFloat(kStateDirection, v.path, vec4(direction, 0.0));
         storeStateFloat(kStateThroughput, v.path, throughput);
-        counters[queueArray(batch.bounce + 1u, kQueueRay) + raySlot] = v.path;
+        counters[queueArray(batch.bounce + 1u, kQueueRay) + slots[1]] = v.path;
     }
 }

@@ -1,6 +1,5 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#extension GL_EXT_control_flow_attributes : require
 #include "kernels/shade_preamble.glsl"
 #include "bsdf_classic.glsl"
 #include "bsdf/vertex_bsdf.glsl"

@@ -1,7 +1,6 @@
 #version 460
 // For devices without subgroup ballot: a module that names the capability would not load there.
 #extension GL_GOOGLE_include_directive : require
-#extension GL_EXT_control_flow_attributes : require
 #define VKPT_NO_BALLOT
 #include "kernels/shade_preamble.glsl"
 #include "bsdf/group_gltf.glsl"

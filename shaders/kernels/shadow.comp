@@ -13,11 +13,15 @@
 
 void main() {
     uint i = gl_GlobalInvocationID.x;
-    if (i >= queueSize(batch.bounce, kQueueShadow)) return;
-    vec4 origin = loadStateFloat(kShadowOrigin, i), target = loadStateFloat(kShadowTarget, i);
+    bool live = i < queueSize(batch.bounce, kQueueShadow);
+    vec4 origin = vec4(0.0), target = vec4(1.0, 1.0, 1.0, -1.0);   // as in intersect.glsl
+    if (live) {
+        origin = loadStateFloat(kShadowOrigin, i);
+        target = loadStateFloat(kShadowTarget, i);
+    }
     uint path = floatBitsToUint(origin.w);
     Hit hit = traverse(origin.xyz, target.xyz, target.w, alphaKeyOf(path, kRayShadow), true);
-    if (hit.slot != kNone) return;
+    if (!live || hit.slot != kNone) return;
     vec4 radiance = loadStateFloat(kShadowRadiance, i);
     contribute(path, radiance.xyz, false, kMetNothing, batch.bounce + 1u, floatBitsToUint(radiance.w));
 }

@@ -2,7 +2,7 @@
 // hold slots. Changed an array or a counter? Update src/wavefront/layout.h.
 layout(local_size_x = 64) in;
 
-layout(push_constant) uniform Batch {
+struct Batch {
     uint firstPixel, pixelCount;     // pixels of the frame, row by row
     uint firstSample, sampleCount;
     uint bounce;
@@ -11,7 +11,10 @@ layout(push_constant) uniform Batch {
     uint filmFirst;                  // first pixel of the band of the film that is bound
     uint filmLayers;                 // word of the film where the layers of its pixels begin
     uint round;                      // of integrator direct, else 0: its paths begin anew, their sums go on
-} batch;
+    uint sampleReciprocal, widthReciprocal;   // of Divisor: of sampleCount, of the frame's width
+};
+layout(push_constant) uniform BatchBlock { Batch pushed; };
+Batch batch = pushed;   // as in geometry/fetch.glsl
 
 layout(set = 0, binding = 3, std430) buffer StateWords { uvec4 stateWords[]; };
 layout(set = 0, binding = 4, std430) restrict buffer Counters { uint counters[]; };
@@ -38,18 +41,19 @@ void storeState(uint array, uint slot, uvec4 value) { stateWords[array * batch.c
 vec4 loadStateFloat(uint array, uint slot) { return uintBitsToFloat(loadState(array, slot)); }
 void storeStateFloat(uint array, uint slot, vec4 value) { storeState(array, slot, floatBitsToUint(value)); }
 
-// Counters: a block of 24 uints a bounce, then what was refused, then the queues. A queue's block is
-// {groups, 1, 1, items}: the first three are the arguments of its indirect dispatch.
+// Counters: what was refused, then a block a bounce, then the queues. A queue's part of a block begins with
+// {groups, 1, 1, items}, of which the first three are the arguments of its indirect dispatch, and fills a line of a
+// cache: one core then reads how long a queue is while another appends to the next.
 // Hits have a queue a shade group; that of kGroupGltf is kQueueHit.
 const uint kQueueRay = 0u, kQueueHit = 1u, kQueueMiss = 2u, kQueueHitMicrofacet = 3u, kQueueHitClassic = 4u;
 const uint kQueueShadow = 5u;
-const uint kCounterBlock = 24u;
+const uint kRefused = 0u, kRefusedInLayers = 1u;
+const uint kQueueCounter = 16u;
+const uint kCounterBlock = 6u * kQueueCounter;
 const uint kMaxBounceBlocks = 4096u;
-const uint kRefused = kCounterBlock * kMaxBounceBlocks;
-const uint kRefusedInLayers = kRefused + 1u;
-const uint kQueueBase = kRefused + 16u;
+const uint kQueueBase = kQueueCounter + kCounterBlock * kMaxBounceBlocks;
 
-uint queueCounter(uint bounce, uint queue) { return bounce * kCounterBlock + queue * 4u; }
+uint queueCounter(uint bounce, uint queue) { return kQueueCounter + bounce * kCounterBlock + queue * kQueueCounter; }
 uint queueSize(uint bounce, uint queue) { return counters[queueCounter(bounce, queue) + 3u]; }
 // Ray queues alternate between two arrays by the parity of the bounce; hits and misses follow.
 uint queueArray(uint bounce, uint queue) {
@@ -58,8 +62,8 @@ uint queueArray(uint bounce, uint queue) {
 
 // The samples of a pixel are neighbours: they take the same way through tree and textures.
 SampleId sampleIdOf(uint path) {
-    uint pixel = batch.firstPixel + path / batch.sampleCount;
-    uint index = batch.firstSample + path % batch.sampleCount;
+    uvec2 place = divide(path, Divisor(batch.sampleCount, batch.sampleReciprocal));
+    uvec2 row = divide(batch.firstPixel + place.x, Divisor(render.width, batch.widthReciprocal));
     uint spp = kSetSamples != 0u ? kSetSamples : render.spp;
-    return SampleId(pixel % render.width | (pixel / render.width) << 16u, index, spp, render.seed);
+    return SampleId(row.y | row.x << 16u, batch.firstSample + place.y, spp, render.seed);
 }

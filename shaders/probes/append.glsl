@@ -1,14 +1,14 @@
 // In: whether to append to queue 1 (else to queue 2; 2: to neither). Out: the slot, or kNone. Every invocation takes
-// part, as appendSlot demands.
+// part, as appendSlots demands. The last of its queues is none.
 const uint kInputWords = 1u, kOutputWords = 1u;
 #include "probes/probe.glsl"
 layout(std430, binding = 2) buffer Counters { uint counters[]; };
-uint queueCounter(uint bounce, uint queue) { return bounce * 24u + queue * 4u; }
+const uint kAppends = 3u;
 #include "kernels/append.glsl"
 
 void main() {
     uint choice = isIdle() ? 2u : inputWord(0u).x;
-    uint first = appendSlot(1u, 1u, choice == 1u), second = appendSlot(1u, 2u, choice == 0u);
+    uint slots[kAppends] = appendSlots(uint[](16u, 32u, kNone), bool[](choice == 1u, choice == 0u, true));
     if (isIdle()) return;
-    putWord(0u, uvec4(choice == 1u ? first : (choice == 0u ? second : kNone), 0u, 0u, 0u));
+    putWord(0u, uvec4(choice == 1u ? slots[0] : (choice == 0u ? slots[1] : kNone), 0u, 0u, 0u));
 }

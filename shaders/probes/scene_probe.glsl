@@ -5,6 +5,7 @@
 #include "geometry/fetch.glsl"
 #include "geometry/load.glsl"
 #include "math/hash.glsl"
+#include "math/division.glsl"
 #include "math/trigonometry.glsl"
 #include "math/color.glsl"
 #include "math/frame.glsl"

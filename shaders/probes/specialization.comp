@@ -2,7 +2,7 @@
 // In: nothing that counts. Out: every specialization constant, four a word. src/verify/probes/specialization.cpp lists
 // the same.
 #extension GL_GOOGLE_include_directive : require
-const uint kInputWords = 1u, kOutputWords = 11u;
+const uint kInputWords = 1u, kOutputWords = 12u;
 #include "probes/probe.glsl"
 
 void main() {
@@ -18,4 +18,5 @@ void main() {
     putWord(8u, uvec4(kIntegrator, kStrategy, kBeta, kHemisphere));
     putWord(9u, uvec4(kProjection, kHasFilter, kHasLens, kHasMedia));
     putWord(10u, uvec4(kHasNegativeLobes, kLengthWord, kLengthLayers, kGroupWord));
+    putWord(11u, uvec4(kListTriangles, 0u, 0u, 0u));
 }

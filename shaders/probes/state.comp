@@ -22,6 +22,8 @@ void main() {
     put(batch.filmFirst);
     put(batch.filmLayers);
     put(batch.round);
+    put(batch.sampleReciprocal);
+    put(batch.widthReciprocal);
     put(kRefused);
     put(kRefusedInLayers);
     for (uint bounce = 0u; bounce < 3u; ++bounce)

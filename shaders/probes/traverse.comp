@@ -1,6 +1,7 @@
 #version 460
 // In: origin, tMax; direction, alpha key. Out: closest hit: t, slot, b1, b2; its instance, whether any hit is found.
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
 const uint kInputWords = 2u, kOutputWords = 2u;
 #include "probes/scene_probe.glsl"
 #include "material/texture.glsl"

@@ -1,4 +1,4 @@
-// What several samplers are made of: keys, exact division, scrambles in base 2.
+// What several samplers are made of: keys, scrambles in base 2.
 #ifndef VKPT_SAMPLERS_BITS
 #define VKPT_SAMPLERS_BITS
 
@@ -17,27 +17,6 @@ uint subKey(uint key, uint n) { return mixBits(key + n * 0x9e3779b9u); }
 uvec4 samplerKey(uint pixel, uint d, uint seed, uint round) {
     uvec4 k = hash(hash(uvec4(pixel, round, seed, kSaltSampler)));
     return uvec4(subKey(k.x, d), subKey(k.y, d), subKey(k.z, d), subKey(k.w, d));
-}
-
-// Upper word of a product: floor(a b / 2^32), a uniform number below b where a is uniform bits.
-uint multiplyHigh(uint a, uint b) {
-    uint high, low;
-    umulExtended(a, b, high, low);
-    return high;
-}
-
-// Division by a number that is used often: reciprocal = floor((2^32 - 1) / d).
-struct Divisor {
-    uint d, reciprocal;
-};
-
-Divisor makeDivisor(uint d) { return Divisor(d, 0xffffffffu / d); }
-
-// Quotient and remainder. Multiplying by the reciprocal falls short by one at most.
-uvec2 divide(uint n, Divisor by) {
-    uint quotient = multiplyHigh(n, by.reciprocal), remainder = n - quotient * by.d;
-    uint more = remainder >= by.d ? 1u : 0u;
-    return uvec2(quotient + more, remainder - more * by.d);
 }
 
 // Nested uniform scramble of a 32-bit fraction: bit k is flipped by a hash of the bits above it and the key.

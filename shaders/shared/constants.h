@@ -130,6 +130,7 @@ VKPT_CONST uint kScrambleOwen = 4u;   // nested uniform: a random permutation fo
 
 // Sizes of samplers.
 VKPT_CONST uint kSobolDimensions = 3667u;
+VKPT_CONST uint kListMax = 64u;   // triangles that are listed beside the tree
 VKPT_CONST uint kHaltonDimensions = 256u;
 VKPT_CONST uint kRank1Dimensions = 250u;
 VKPT_CONST uint kPmj02Tables = 32u;

@@ -14,14 +14,15 @@ const Kernel& Prober::kernel(const std::string& name, const ProbeOptions& option
 
 ProbeScene::ProbeScene(Prober& prober, const SceneArrays& arrays, const RenderParams& params, SamplerChoice sampler,
                        std::uint32_t lastIndex)
-    : prober_(prober), features_(arrays.features), sampler_(sampler), lastIndex_(lastIndex) {
+    : prober_(prober),
+      features_(arrays.features),
+      sampler_(sampler),
+      lastIndex_(lastIndex),
+      listTriangles_(listTriangles(arrays, params.integrator)) {
     Device& device = prober.device();
     const SceneLayout layout = planScene(arrays, sampler, lastIndex);
     header_ = layout.header;
-    struct {
-        SceneHeader scene;
-        RenderParams render;
-    } const frame{header_, params};
+    const Frame frame = makeFrame(layout, params);
     frame_ = Buffer(device, BufferUse::Uniform, sizeof frame, "probe frame");
     std::memcpy(frame_.map().data(), &frame, sizeof frame);
     scene_ = Buffer(device, BufferUse::Storage, layout.bytes, "probe scene");
@@ -34,8 +35,11 @@ ProbeScene::ProbeScene(Prober& prober, const SceneArrays& arrays, const RenderPa
 ProbeOptions ProbeScene::options(Fetch form) const {
     const bool texel = form == Fetch::Texel;
     ProbeOptions options;
-    options.specialization =
-        specializationOf(features_, header_, {.sampler = sampler_, .lastIndex = lastIndex_, .fetchTexel = texel});
+    options.specialization = specializationOf(features_, header_,
+                                              {.sampler = sampler_,
+                                               .lastIndex = lastIndex_,
+                                               .fetchTexel = texel,
+                                               .listTriangles = texel ? listTriangles_ : 0});
     options.extraKinds = {BindingKind::UniformBuffer, BindingKind::StorageBuffer, BindingKind::StorageTexel};
     options.extra = {frame_, texel ? dummy_ : scene_, texel ? sceneTexels_ : dummyTexels_};
     return options;

@@ -50,7 +50,8 @@ private:
 enum class Fetch { Texel, Storage };
 inline constexpr std::array kFetchForms = {Fetch::Texel, Fetch::Storage};
 
-/// A scene as WavefrontRenderer uploads it, at bindings 2 (frame), 3 (storage words) and 4 (texels).
+/// A scene as WavefrontRenderer uploads it, at bindings 2 (frame), 3 (storage words) and 4 (texels). The texel form
+/// searches the list of triangles where there is one, the storage form walks the tree.
 class ProbeScene {
 public:
     /// `lastIndex`: the highest sample index that a probe may ask for.
@@ -79,7 +80,7 @@ private:
     Prober& prober_;
     SceneFeatures features_;
     SamplerChoice sampler_;
-    std::uint32_t lastIndex_;
+    std::uint32_t lastIndex_, listTriangles_;
     SceneHeader header_;
     Buffer frame_, scene_, dummy_;
     TexelView sceneTexels_, dummyTexels_;

@@ -71,7 +71,14 @@ std::vector<std::uint32_t> specializationOf(const SceneFeatures& f, const SceneH
             hasNegativeLobes(p.pixelFilter),
             options.film.lengthWord(),
             std::max(options.film.light().lengths, 1U),
-            options.film.groupWord()};
+            options.film.groupWord(),
+            options.listTriangles};
+}
+
+std::uint32_t listTriangles(const SceneArrays& arrays, std::uint32_t integrator) {
+    const bool listed = !arrays.features.instances && !arrays.features.alpha && arrays.triangles.size() <= kListMax;
+    const bool showsTree = integrator == static_cast<std::uint32_t>(IntegratorId::Cost);
+    return listed && !showsTree ? static_cast<std::uint32_t>(arrays.triangles.size()) : 0;
 }
 
 bool needsNoBsdf(std::uint32_t integrator) {

@@ -30,12 +30,16 @@ struct KernelOptions {
     std::uint32_t lastIndex = ~0U;  ///< the highest sample index they may meet
     std::uint32_t setSamples = 0;   ///< N, where the sampler's points depend on it; 0: read it when they run
     bool fetchTexel = false, useBallot = false, stateTexel = false;
+    std::uint32_t listTriangles = 0;  ///< 0: the tree is walked
     FilmLayout film{};
     RenderParams params = defaultParams();  ///< integrator, strategy, hemisphere and camera
 };
 
 /// Halvings that searchCdf of shaders/math/cdf.glsl needs for a table of `count` entries.
 [[nodiscard]] std::uint32_t searchSteps(std::uint32_t count);
+
+/// How many triangles of the scene kernels test one after the other; 0 where the tree is quicker or asked for.
+[[nodiscard]] std::uint32_t listTriangles(const SceneArrays& arrays, std::uint32_t integrator);
 
 /// Values of the constants of shaders/specialization.glsl, by constant_id.
 [[nodiscard]] std::vector<std::uint32_t> specializationOf(const SceneFeatures& features, const SceneHeader& header,

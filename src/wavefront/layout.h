@@ -16,7 +16,11 @@ struct BatchParams {
     std::uint32_t filmFirst = 0;
     std::uint32_t filmLayers = 0;  ///< word of the film buffer where the layers of its pixels begin
     std::uint32_t round = 0;       ///< of integrator direct, else 0: its paths begin anew, their sums go on
+    std::uint32_t sampleReciprocal = 0, widthReciprocal = 0;  ///< reciprocalOf sampleCount, of the frame's width
 };
+
+/// What kernels divide by `number` with.
+[[nodiscard]] constexpr std::uint32_t reciprocalOf(std::uint32_t number) { return 0xffffffffU / number; }
 
 /// Which path lies in a slot.
 struct SlotPlace {
@@ -71,20 +75,21 @@ inline constexpr std::array kShadeStages = {Stage::Shade, Stage::ShadeMicrofacet
     return group;
 }
 
-/// {groups, 1, 1, items} of one queue at one bounce.
-struct QueueCounter {
+/// {groups, 1, 1, items} of one queue at one bounce, on a line of a cache of its own.
+struct alignas(64) QueueCounter {
     std::uint32_t groups = 0, one0 = 1, one1 = 1, items = 0;
 };
 
 inline constexpr std::uint32_t kMaxBounceBlocks = 4096;
 inline constexpr std::uint32_t kCounterBlock = kQueues * sizeof(QueueCounter) / 4;  ///< uints a bounce
-inline constexpr std::uint32_t kRefusedCounter = kCounterBlock * kMaxBounceBlocks;
-inline constexpr std::uint32_t kRefusedInLayersCounter = kRefusedCounter + 1;
-inline constexpr std::uint32_t kQueueBase = kRefusedCounter + 16;
+inline constexpr std::uint32_t kRefusedCounter = 0;
+inline constexpr std::uint32_t kRefusedInLayersCounter = 1;
+inline constexpr std::uint32_t kFirstBlock = sizeof(QueueCounter) / 4;
+inline constexpr std::uint32_t kQueueBase = kFirstBlock + kCounterBlock * kMaxBounceBlocks;
 
 /// Byte offset of a queue's counter, which is also the argument of its indirect dispatch.
 [[nodiscard]] constexpr std::size_t queueCounterOffset(std::uint32_t bounce, Queue queue) {
-    return (std::size_t{bounce} * kQueues + static_cast<std::size_t>(queue)) * sizeof(QueueCounter);
+    return kFirstBlock * 4 + (std::size_t{bounce} * kQueues + static_cast<std::size_t>(queue)) * sizeof(QueueCounter);
 }
 /// Index of a queue's first entry among the words of the counters. Ray queues alternate by the parity of the bounce;
 /// shadow items have no entries: they lie in the state arrays in the order of their slots.

@@ -46,7 +46,8 @@ void WavefrontRenderer::Impl::show(Stage stage, const BatchParams& batch) {
 }
 
 void WavefrontRenderer::Impl::recordStart(const FilmBand& band, const BatchParams& batch) {
-    recorder.copy(freshCounters, 0, counters, 0, queueCounterOffset(counterBlocks(), Queue::Ray));
+    const std::size_t begin = queueCounterOffset(0, Queue::Ray);
+    recorder.copy(freshCounters, begin, counters, begin, usedCounterBytes() - begin);
     recorder.barrier();
     const QueueCounter all{groupsFor(batch.pathCount), 1, 1, batch.pathCount};
     recorder.update(counters, queueCounterOffset(0, Queue::Ray), std::as_bytes(std::span(&all, 1)));
@@ -83,7 +84,7 @@ void WavefrontRenderer::Impl::recordEnd(const FilmBand& band, const BatchParams&
 }
 
 void WavefrontRenderer::Impl::submit(WavefrontStats& stats) {
-    recorder.copy(counters, 0, readback, 0, std::size_t{kQueueBase} * 4);
+    recorder.copy(counters, 0, readback, 0, usedCounterBytes());
     recorder.submitAndWait();
     if (!config.timings) return;
     const std::vector<double> times = recorder.timestampsSeconds();
@@ -95,6 +96,8 @@ void WavefrontRenderer::Impl::renderBatch(const FilmBand& band, BatchParams batc
     const auto start = Clock::now();
     batch.capacity = capacity;
     batch.pathCount = batch.pixelCount * batch.sampleCount;
+    batch.sampleReciprocal = reciprocalOf(batch.sampleCount);
+    batch.widthReciprocal = reciprocalOf(options.params.width);
     batch.filmFirst = band.band.firstPixel;
     batch.filmLayers = band.band.pixelCount * sizeof(FilmSums) / sizeof(uvec4);
     const std::uint32_t rounds = roundsOf(options.params);

@@ -55,6 +55,7 @@ struct WavefrontRenderer::Impl {
     void writeFrame();
     void clearFilm();
     [[nodiscard]] std::uint32_t counterBlocks() const { return options.params.maxDepth + 2; }
+    [[nodiscard]] std::size_t usedCounterBytes() const { return queueCounterOffset(counterBlocks(), Queue::Ray); }
 
     void recordStart(const FilmBand& band, const BatchParams& batch);
     void recordBounces(const FilmBand& band, BatchParams batch, std::uint32_t begin, std::uint32_t end);

@@ -12,10 +12,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-struct Frame {  // the uniform block of shaders/geometry/fetch.glsl
-    SceneHeader scene;
-    RenderParams render;
-};
 
 bool useTexels(const Device& device, WavefrontConfig::Fetch fetch, std::size_t bytes) {
     const bool texelsFit = TexelView::fits(device, bytes);
@@ -38,9 +34,10 @@ bool useTexels(const Device& device, WavefrontConfig::Fetch fetch, std::size_t b
 /// a large device.
 std::uint32_t defaultPaths(const Device& device) { return device.info().isCpu ? 1U << 16U : 1U << 18U; }
 
-/// Path state is read through texels where kernels run on the CPU: a load takes a third of the time there.
-bool useStateTexels(const Device& device, WavefrontConfig::Fetch fetch, std::size_t bytes) {
-    return fetch != WavefrontConfig::Fetch::Storage && device.info().isCpu && TexelView::fits(device, bytes);
+/// Whether kernels take the forms that are quick where they run on the CPU: path state read through texels, which takes
+/// a third of the time there, and lists of few triangles.
+bool useCpuForms(const Device& device, WavefrontConfig::Fetch fetch) {
+    return fetch != WavefrontConfig::Fetch::Storage && device.info().isCpu;
 }
 
 /// What kernels that know N fold: grids of strata, their reciprocals, lengths of loops.
@@ -67,7 +64,7 @@ WavefrontRenderer::Impl::Impl(const SceneArrays& arrays, const RenderOptions& re
       filmLayout(options.aovs, options.light),
       capacity(config.pathsInFlight != 0 ? config.pathsInFlight : defaultPaths(device)),
       texels(useTexels(device, config.fetch, layout.bytes)),
-      stateTexel(useStateTexels(device, config.fetch, stateBytes(capacity))),
+      stateTexel(useCpuForms(device, config.fetch) && TexelView::fits(device, stateBytes(capacity))),
       ballot(config.ballot && device.info().subgroupBallot),
       kernels(device, config.kernels ? config.kernels : SpirvSource(kernelSpirv), arrays.features, layout.header,
               {.sampler = options.sampler,
@@ -76,6 +73,8 @@ WavefrontRenderer::Impl::Impl(const SceneArrays& arrays, const RenderOptions& re
                .fetchTexel = texels,
                .useBallot = ballot,
                .stateTexel = stateTexel,
+               .listTriangles =
+                   useCpuForms(device, config.fetch) ? listTriangles(arrays, options.params.integrator) : 0,
                .film = filmLayout,
                .params = options.params}),
       recorder(device, config.timings ? (kStageNames.size() - 3) * kBouncesPerSubmit + 5 : 0),
@@ -98,23 +97,21 @@ void WavefrontRenderer::Impl::createBuffers(const SceneArrays& arrays) {
     for (const Band& band : bandList) plan.add("film", band.pixelCount * filmBytesPerPixel());
     plan.check(device.info());
 
-    const std::size_t counterBytesUsed = std::size_t{kQueueBase} * 4;
     frame = Buffer(device, BufferUse::Uniform, sizeof(Frame), "frame");
     scene = Buffer(device, BufferUse::Storage, layout.bytes, "scene");
     dummy = Buffer(device, BufferUse::Storage, 16, "dummy");
     state = Buffer(device, BufferUse::Storage, stateBytes(capacity), "path state");
     counters = Buffer(device, BufferUse::Indirect, counterBytes(capacity), "queues");
-    freshCounters = Buffer(device, BufferUse::Upload, counterBytesUsed, "fresh counters");
-    readback = Buffer(device, BufferUse::Readback, counterBytesUsed, "counters read back");
+    freshCounters = Buffer(device, BufferUse::Upload, usedCounterBytes(), "fresh counters");
+    readback = Buffer(device, BufferUse::Readback, usedCounterBytes(), "counters read back");
     sceneTexels = texels ? TexelView(device, scene, VK_FORMAT_R32G32B32A32_UINT, 0, layout.bytes)
                          : TexelView(device, dummy, VK_FORMAT_R32G32B32A32_UINT, 0, 16);
     stateTexels = stateTexel ? TexelView(device, state, VK_FORMAT_R32G32B32A32_UINT, 0, stateBytes(capacity))
                              : TexelView(device, dummy, VK_FORMAT_R32G32B32A32_UINT, 0, 16);
 
     writeFrame();
-    const std::vector<QueueCounter> fresh(counterBytesUsed / sizeof(QueueCounter) - 4);
-    std::memset(freshCounters.map().data(), 0, counterBytesUsed);
-    std::memcpy(freshCounters.map().data(), fresh.data(), fresh.size() * sizeof(QueueCounter));
+    const std::vector<QueueCounter> fresh(usedCounterBytes() / sizeof(QueueCounter));
+    std::memcpy(freshCounters.map().data(), fresh.data(), usedCounterBytes());
     uploadScene(device, scene, arrays, layout);
     for (const Band& band : bandList) {
         FilmBand b{band, Buffer(device, BufferUse::Storage, band.pixelCount * filmBytesPerPixel(), "film"), {}};
@@ -126,7 +123,7 @@ void WavefrontRenderer::Impl::createBuffers(const SceneArrays& arrays) {
 }
 
 void WavefrontRenderer::Impl::writeFrame() {
-    const Frame contents{layout.header, options.params};
+    const Frame contents = makeFrame(layout, options.params);
     std::memcpy(frame.map().data(), &contents, sizeof contents);
 }
 

@@ -47,6 +47,7 @@ SceneLayout planScene(const SceneArrays& arrays, SamplerChoice sampler, std::uin
     SceneLayout layout;
     layout.samplerTable = samplerTable(sampler, lastIndex);
     layout.filterTable = filterTable(params);
+    if (arrays.triangles.size() <= kListMax) layout.list.assign(arrays.triangles.begin(), arrays.triangles.end());
     std::size_t words = 0;
     forEachSection(arrays, layout, [&](uint& offset, std::span<const std::byte> bytes) {
         if (words >= kNone) throw DeviceError("the scene needs more than 64 GiB on the device");
@@ -65,6 +66,12 @@ SceneLayout planScene(const SceneArrays& arrays, SamplerChoice sampler, std::uin
     h.envSin = std::sin(arrays.envRotation);
     h.groupBehind = arrays.lightGroups.behind;
     return layout;
+}
+
+Frame makeFrame(const SceneLayout& layout, const RenderParams& params) {
+    Frame frame{layout.header, params, {}};
+    std::ranges::copy(layout.list, frame.list.begin());
+    return frame;
 }
 
 void uploadScene(Device& device, const Buffer& buffer, const SceneArrays& arrays, const SceneLayout& layout) {

@@ -1,5 +1,6 @@
 // SceneArrays packed into one buffer of 16-byte words on the device.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -9,10 +10,18 @@
 
 namespace vkpt {
 
+/// The uniform block of shaders/geometry/fetch.glsl.
+struct Frame {
+    SceneHeader header;
+    RenderParams params;
+    std::array<TriangleRecord, kListMax> list;  ///< of the triangles, where there are no more
+};
+
 struct SceneLayout {
     SceneHeader header{};
     std::vector<std::uint32_t> samplerTable;
     std::vector<FilterCell> filterTable;
+    std::vector<TriangleRecord> list;  ///< empty: too long
     std::size_t bytes = 0;
 };
 
@@ -20,6 +29,7 @@ struct SceneLayout {
 /// scene has 2^32 words or more.
 [[nodiscard]] SceneLayout planScene(const SceneArrays& arrays, SamplerChoice sampler, std::uint32_t lastIndex,
                                     const RenderParams& params = defaultParams());
+[[nodiscard]] Frame makeFrame(const SceneLayout& layout, const RenderParams& params);
 /// Fills `buffer`, made for planScene's bytes.
 void uploadScene(Device& device, const Buffer& buffer, const SceneArrays& arrays, const SceneLayout& layout);
 

@@ -2,6 +2,8 @@
 #include <cstring>
 
 #include "base/error.h"
+#include "registry.h"
+#include "wavefront/kernels.h"
 #include "bvh/build.h"
 #include "reference/render.h"
 #include "verify/inputs/scenes.h"
@@ -21,6 +23,28 @@ TEST(Renderer, FetchFormsGiveTheSameFilmToTheBit) {
         config.fetch = WavefrontConfig::Fetch::Storage;
         EXPECT_TRUE(isSame(texel, renderWith(arrays, options, config)));
     }
+}
+
+TEST(Renderer, ListAndTreeGiveTheSameFilmToTheBit) {
+    const SceneArrays arrays = makeArrays(makeLamps());
+    const RenderOptions options = makeOptions(48, 32, 16);
+    ASSERT_EQ(listTriangles(arrays, options.params.integrator), arrays.triangles.size());
+    WavefrontConfig config = makeConfig();
+    config.fetch = WavefrontConfig::Fetch::Texel;
+    const Film list = renderWith(arrays, options, config);
+    config.fetch = WavefrontConfig::Fetch::Storage;
+    EXPECT_TRUE(isSame(list, renderWith(arrays, options, config)));
+}
+
+TEST(Renderer, OnlyFewTrianglesAreListed) {
+    const std::uint32_t path = makeOptions(1, 1, 1).params.integrator;
+    EXPECT_EQ(listTriangles(makeEverything(), path), 0U) << "alpha";
+    EXPECT_EQ(listTriangles(makeEverything(true), path), 0U) << "instances";
+    SceneArrays arrays = makeFurnace();
+    EXPECT_EQ(listTriangles(arrays, static_cast<std::uint32_t>(IntegratorId::Cost)), 0U) << "which shows the tree";
+    EXPECT_EQ(listTriangles(arrays, path), arrays.triangles.size());
+    arrays.triangles.resize(kListMax + 1);
+    EXPECT_EQ(listTriangles(arrays, path), 0U) << "too many";
 }
 
 TEST(Renderer, SlotsBatchesAndCompactionDoNotChangeTheFilm) {

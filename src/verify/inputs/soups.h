@@ -134,6 +134,7 @@ inline std::vector<NamedTriangles> allSets() {
             {"three", soup(3, 1, 0.5F)},
             {"four", soup(4, 1, 0.5F)},
             {"nine", soup(9, 1, 0.5F)},
+            {"the longest list", soup(kListMax, 1, 0.5F)},
             {"small triangles", soup(3000, 1, 0.03F)},
             {"large triangles", soup(1000, 1, 1.0F)},
             {"slivers", slivers(1000)},

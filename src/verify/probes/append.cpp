@@ -23,7 +23,7 @@ constexpr Form kForms[] = {{"ballot", true, false}, {"shared memory", false, fal
 
 void appendAll(Prober& prober, Findings& findings, const Choices& choices, const Form& form) {
     Device& device = prober.device();
-    const std::vector<QueueCounter> fresh(3 * kQueues);
+    const std::vector<QueueCounter> fresh(3);
     const Buffer counters = makeStorage<QueueCounter>(device, fresh, "append counters");
     ProbeOptions options;
     options.specialization = specializationOf({}, {}, {.useBallot = form.ballot});
@@ -35,7 +35,7 @@ void appendAll(Prober& prober, Findings& findings, const Choices& choices, const
         std::vector<std::uint32_t> slots;
         for (std::size_t i = 0; i < choices.size(); ++i)
             if (choices[i].x == choice) slots.push_back(out[i].x);
-        const QueueCounter& counter = after[kQueues + (choice == 1 ? 1 : 2)];  // block of bounce 1
+        const QueueCounter& counter = after[choice == 1 ? 1 : 2];
         findings.equal("items", counter.items, slots.size());
         findings.equal("groups", counter.groups, (slots.size() + kGroupSize - 1) / kGroupSize);
         findings.holds("the other arguments", counter.one0 == 1 && counter.one1 == 1, "are not 1");

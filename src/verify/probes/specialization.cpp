@@ -23,7 +23,7 @@ std::uint32_t expectedBeta(const RenderParams& p) {
 }
 
 /// All constants by name, in the order in which the probe writes them.
-std::array<Named, 44> namesAndValues(const Constants& c) {
+std::array<Named, 45> namesAndValues(const Constants& c) {
     const auto& [f, h, o] = c;
     const auto flag = [](bool b) { return b ? 1U : 0U; };
     return {Named{"kSampler", static_cast<std::uint32_t>(o.sampler.id)},
@@ -69,7 +69,8 @@ std::array<Named, 44> namesAndValues(const Constants& c) {
             {"kHasNegativeLobes", flag(o.params.pixelFilter == kFilterMitchell)},
             {"kLengthWord", o.film.lengthWord()},
             {"kLengthLayers", std::max(o.film.light().lengths, 1U)},
-            {"kGroupWord", o.film.groupWord()}};
+            {"kGroupWord", o.film.groupWord()},
+            {"kListTriangles", o.listTriangles}};
 }
 
 /// Round `bit` of a set in which no two flags are the same in all rounds; the numbers differ in any.
@@ -90,6 +91,7 @@ Constants makeConstants(std::uint32_t bit) {
     o.sampler = {static_cast<SamplerId>(7), static_cast<ScrambleId>(5)};
     o.lastIndex = 0xabc;  // three hexadecimal digits
     o.setSamples = 77;
+    o.listTriangles = 21;
     if (bit % 2 == 0) o.film = FilmLayout(kAllAovs, {7, {"a", "b"}});
     RenderParams& p = o.params;
     p.integrator = static_cast<std::uint32_t>(bit % 2 == 0 ? IntegratorId::Direct : IntegratorId::LightProbability);
@@ -112,7 +114,7 @@ void checkSpecialization(VerifyContext& context, Findings& findings) {
         const Constants constants = makeConstants(round);
         ProbeOptions options;
         options.specialization = specializationOf(constants.features, constants.header, constants.options);
-        const auto read = context.prober().evaluate<std::array<std::uint32_t, 44>>(
+        const auto read = context.prober().evaluate<std::array<std::uint32_t, 48>>(
             "specialization", std::vector<glm::uvec4>(1), options)[0];
         const auto expected = namesAndValues(constants);
         const auto scope = findings.inputs([&](std::size_t i) { return std::string(expected[i].first); });

@@ -7,12 +7,13 @@
 #include "verify/probes.h"
 #include "wavefront/kernels.h"
 #include "wavefront/layout.h"
+#include "wavefront/scene_upload.h"
 
 namespace vkpt {
 namespace {
 
-constexpr BatchParams kBatch{11, 12, 13, 14, 5, 40, 17, 18, 19, 20};
 constexpr std::uint32_t kBounces = 3, kSlots = 40, kWidth = 10;
+constexpr BatchParams kBatch{11, 12, 13, 14, 5, 40, 17, 18, 19, 20, reciprocalOf(14), reciprocalOf(kWidth)};
 
 struct Read {
     std::vector<std::uint32_t> outputs;
@@ -22,10 +23,10 @@ struct Read {
 Read runStateProbe(Prober& prober) {
     Device& device = prober.device();
     const Kernel kernel(device, prober.spirv("state"), kKernelBindings, sizeof(BatchParams), {}, "state");
-    const Buffer frame(device, BufferUse::Uniform, sizeof(SceneHeader) + sizeof(RenderParams), "frame");
+    const Buffer frame(device, BufferUse::Uniform, sizeof(Frame), "frame");
     RenderParams params{};
     params.width = kWidth;
-    std::memcpy(frame.map().data() + sizeof(SceneHeader), &params, sizeof params);
+    std::memcpy(frame.map().data() + offsetof(Frame, params), &params, sizeof params);
     const std::vector<uvec4> empty(std::size_t{kStateArrays} * kBatch.capacity);
     const Buffer state = makeStorage<uvec4>(device, empty, "state"), words = makeStorage<uvec4>(device, empty, "words"),
                  outputs = makeStorage<uvec4>(device, empty, "outputs");
@@ -36,7 +37,7 @@ Read runStateProbe(Prober& prober) {
     recorder.begin();
     recorder.dispatch(kernel, group, kBatch, 1);
     recorder.submitAndWait();
-    return {readStorage<std::uint32_t>(device, outputs, 0, 12 + kBounces * kQueues * 2 + 2 * kSlots),
+    return {readStorage<std::uint32_t>(device, outputs, 0, 14 + kBounces * kQueues * 2 + 2 * kSlots),
             readStorage<uvec4>(device, state, 0, empty.size())};
 }
 
@@ -53,6 +54,8 @@ std::vector<std::pair<std::string, std::size_t>> expectedOutputs() {
         {"filmFirst", b.filmFirst},
         {"filmLayers", b.filmLayers},
         {"round", b.round},
+        {"sampleReciprocal", b.sampleReciprocal},
+        {"widthReciprocal", b.widthReciprocal},
         {"counter of refusals", kRefusedCounter},
         {"counter of refusals in layers", kRefusedInLayersCounter}};
     for (std::uint32_t bounce = 0; bounce < kBounces; ++bounce)
