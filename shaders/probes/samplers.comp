@@ -1,6 +1,7 @@
 #version 460
 // In: pixel, index, spp, seed; dimension. Out: samplerBits of sampler kSampler; their toUnit (bits).
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
 const uint kInputWords = 2u, kOutputWords = 1u;
 #include "probes/scene_probe.glsl"
 #include "samplers.glsl"

@@ -19,17 +19,20 @@ uint permuteFour(uint digit, uint node) {
     return first ^ second ^ (node & 3u);
 }
 
-// Walks the digits of the Z index from the top; `node` is a hash of all above.
-uint shuffledIndex(uint morton, uint bits, uint node) {
-    uint shuffled = 0u;
-    int shift = int(bits) - 2;
-    for (; shift >= 0; shift -= 2) {
-        uint digit = (morton >> uint(shift)) & 3u;
-        node = mixBits(node);
-        shuffled = (shuffled << 2u) | permuteFour(digit, node);
-        node ^= digit;
+// Hash of the node below which the `taken` upper bits of `bits` lead: nodes are numbered as in a heap.
+uint nodeHash(uint morton, uint bits, uint taken, uint key) {
+    uint above = taken == 0u ? 0u : morton >> (bits - taken);
+    return mixBits(key ^ (above | (1u << taken)));
+}
+
+// Every digit of the Z index permuted by its node. No hash waits for another.
+uint shuffledIndex(uint morton, uint bits, uint key) {
+    uint shuffled = 0u, taken = 0u;
+    [[unroll]] for (; taken + 2u <= bits; taken += 2u) {
+        uint digit = (morton >> (bits - 2u - taken)) & 3u;
+        shuffled = (shuffled << 2u) | permuteFour(digit, nodeHash(morton, bits, taken, key));
     }
-    if ((bits & 1u) != 0u) shuffled = (shuffled << 1u) | ((morton ^ mixBits(node)) & 1u);
+    if (taken < bits) shuffled = (shuffled << 1u) | ((morton ^ nodeHash(morton, bits, taken, key)) & 1u);
     return shuffled;
 }
 

@@ -19,6 +19,7 @@ VKPT_CONST uint kTriangleHasAlpha = 2u;       // MASK or BLEND: the hit must be 
 VKPT_CONST uint kTriangleGroupShift = 4u;     // the shade group of its material: a kGroup* constant, 2 bits
 VKPT_CONST uint kTriangleGroupMask = 3u;
 VKPT_CONST uint kTriangleMaterialShift = 8u;  // material index above
+VKPT_CONST uint kListMax = 64u;               // triangles of the longest list that kernels search whole
 
 // MaterialRecord.flags
 VKPT_CONST uint kMaterialAlphaMask = 1u;   // alphaMode MASK
@@ -130,7 +131,6 @@ VKPT_CONST uint kScrambleOwen = 4u;   // nested uniform: a random permutation fo
 
 // Sizes of samplers.
 VKPT_CONST uint kSobolDimensions = 3667u;
-VKPT_CONST uint kListMax = 64u;   // triangles that are listed beside the tree
 VKPT_CONST uint kHaltonDimensions = 256u;
 VKPT_CONST uint kRank1Dimensions = 250u;
 VKPT_CONST uint kPmj02Tables = 32u;

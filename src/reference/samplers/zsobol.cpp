@@ -22,16 +22,22 @@ std::uint64_t mortonCode(std::uint32_t x, std::uint32_t y, std::uint32_t bits) {
     return code;
 }
 
-/// Permutes the base-4 digits of a number of `bits` bits from the top, each by a hash of those above it.
-std::uint32_t shuffleDigits(std::uint64_t number, std::uint32_t bits, std::uint32_t node) {
+/// Permutes the base-4 digits of a number of `bits` bits from the top, each by a hash of `root` and of those above it,
+/// which follow a 1: numbers of different length differ.
+std::uint32_t shuffleDigits(std::uint64_t number, std::uint32_t bits, std::uint32_t root) {
+    const std::uint64_t marked = 1ULL << bits | number;
     std::uint64_t shuffled = 0;
-    for (; bits >= 2; bits -= 2) {
-        const auto digit = static_cast<std::uint32_t>(number >> (bits - 2) & 3U);
-        node = mixBits(node);
-        shuffled = shuffled * 4 + (kFixingZero[scaled(node, 6)][digit] ^ node % 4);
-        node ^= digit;
+    for (std::uint32_t left = bits; left > 0;) {
+        const std::uint32_t node = mixBits(root ^ static_cast<std::uint32_t>(marked >> left));
+        if (left == 1) {
+            shuffled = shuffled * 2 + ((number ^ node) & 1U);
+            left = 0;
+        } else {
+            left -= 2;
+            const std::uint64_t digit = number >> left & 3U;
+            shuffled = shuffled * 4 + (kFixingZero[scaled(node, 6)][digit] ^ node % 4);
+        }
     }
-    if (bits == 1) shuffled = shuffled * 2 + ((number ^ mixBits(node)) & 1U);
     return static_cast<std::uint32_t>(shuffled);
 }
 
