@@ -2,7 +2,7 @@
 // [estimator.md, Integrators]
 #include "kernels/preamble.glsl"
 #include "kernels/draw.glsl"
-const uint kAppends = 1u;
+const uint kAppends = 1u;   // to the queue of shadow rays
 #include "kernels/append.glsl"
 #include "kernels/light_layers.glsl"
 #include "kernels/camera_depth.glsl"

@@ -160,7 +160,8 @@ void main() {
             scattered = samplePathDirection(v, origin, direction, throughput, pdf) && takesBsdfSample();
         }
     }
-    uint counterOf[kAppends] = uint[](queueCounter(batch.bounce, kQueueShadow), queueCounter(batch.bounce + 1u, kQueueRay));
+    uint counterOf[kAppends] =
+        uint[](queueCounter(batch.bounce, kQueueShadow), queueCounter(batch.bounce + 1u, kQueueRay));
     uint slots[kAppends] = appendSlots(counterOf, bool[](lit, scattered));
     if (live) addEmission(v, emitted);
     if (lit) storeShadowItem(slots[0], v.path, shadow);

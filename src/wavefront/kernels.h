@@ -38,7 +38,8 @@ struct KernelOptions {
 /// Halvings that searchCdf of shaders/math/cdf.glsl needs for a table of `count` entries.
 [[nodiscard]] std::uint32_t searchSteps(std::uint32_t count);
 
-/// How many triangles of the scene kernels test one after the other; 0 where the tree is quicker or asked for.
+/// How many triangles kernels test one after the other; 0 where they walk the tree: of more than kListMax, of alpha or
+/// instances, and for integrator cost, which shows the tree.
 [[nodiscard]] std::uint32_t listTriangles(const SceneArrays& arrays, std::uint32_t integrator);
 
 /// Values of the constants of shaders/specialization.glsl, by constant_id.
