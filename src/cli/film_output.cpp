@@ -74,12 +74,13 @@ void warnOfFilm(const FilmRecord& record) {
 
 namespace {
 
-/// Integrator cost as PNG: nodes and triangles together, in false colours.
-Bytes encodeCost(const Image& beauty, const ImageMetadata& metadata) {
-    Image sum(beauty.width, beauty.height, 1);
-    for (std::size_t i = 0; i < sum.pixels.size(); ++i)
-        sum.pixels[i] = std::max(0.0F, beauty.pixels[4 * i] + beauty.pixels[4 * i + 1]);
-    return encodePng(heatMap(sum, {"nodes + triangles tested a ray"}), 8, metadata);
+/// The PNG of a look whose values are no colours: false colours over a scale. Of cost the sum of red and green.
+Bytes encodeFalseColors(const Image& beauty, bool isCost, const ImageMetadata& metadata) {
+    Image values(beauty.width, beauty.height, 1);
+    for (std::size_t i = 0; i < values.pixels.size(); ++i)
+        values.pixels[i] = std::max(0.0F, beauty.pixels[4 * i] + (isCost ? beauty.pixels[4 * i + 1] : 0));
+    const char* title = isCost ? "nodes + triangles tested a ray" : "depth, metres";
+    return encodePng(heatMap(values, {title}), 8, metadata);
 }
 
 void writeSheet(const std::filesystem::path& file, const std::vector<LightImage>& layers, const Image& beauty,
@@ -96,14 +97,15 @@ void writeFilmFiles(const FilmRecord& record, const OutputOptions& options) {
     const ImageMetadata metadata = imageMetadata(record);
     WriteOptions write = options.write;
     const std::string integrator = record.settings.value("integrator", "path");
-    const bool isCost = integrator == "cost", isLight = integrator == "path" || integrator == "direct";
+    const bool isCost = integrator == "cost", isDepth = integrator == "depth";
+    const bool isLight = integrator == "path" || integrator == "direct";
     write.display.toneMap = options.toneMap.value_or(isLight ? ToneMap::Neutral : ToneMap::None);
     write.display.transparent = record.settings.value("background", "") == "transparent";
     for (const auto& file : options.files) {
         if (imageFormat(file) == ImageFormat::Exr)
             writeFileAtomically(file, encodeFilm(images, record, options.film, metadata));
-        else if (isCost && imageFormat(file) == ImageFormat::Png)
-            writeFileAtomically(file, encodeCost(images.beauty, metadata));
+        else if ((isCost || isDepth) && imageFormat(file) == ImageFormat::Png)
+            writeFileAtomically(file, encodeFalseColors(images.beauty, isCost, metadata));
         else
             writeImage(file, images.beauty, write, metadata);
         spdlog::info("wrote {}", file.string());

@@ -52,7 +52,8 @@ void addCameraOptions(CLI::App& app, SceneOptions& options) {
 void addLightOptions(CLI::App& app, SceneOptions& options) {
     const char* group = "Environment";
     addParsed(app, "--env", options.environment, parseEnvironment, "FILE|R,G,B|studio|none",
-              "what surrounds the scene (default: the studio where the scene has no light, else none)")
+              "what surrounds the scene (default: the studio where the scene has no light, else none)",
+              "a file, a colour R,G,B of numbers from 0, studio or none")
         ->group(group);
     addParsed(app, "--env-rotation", options.envRotation, parseNumber<float>, "DEG", "turn it about the vertical axis",
               kReal)
@@ -140,7 +141,7 @@ SamplerChoice chooseSampler(SamplerId sampler, std::optional<ScrambleId> scrambl
 void addSceneFile(CLI::App& app, SceneOptions& options, bool required) {
     app.add_option("SCENE", options.file, "glTF 2.0 file, .gltf or .glb")->required(required)->type_name("FILE");
     addParsed(app, "--scene", options.sceneIndex, numberWithin(0), "INDEX",
-              "which scene of the file (default: the one it names)", kWhole);
+              "which scene of the file (default: the one it names)", "an index, 0 or above");
     app.add_flag("--allow-external", options.allowExternal, "let the scene refer to files outside its folder");
 }
 
@@ -173,7 +174,8 @@ void addSamplingOptions(CLI::App& app, SamplingOptions& options) {
               "0: emission, 1: direct light too, 2: one bounce, ... (default: 8)", kWhole)
         ->group(group);
     addParsed(app, "--rr", options.roulette, parseRoulette, "off|throughput|fixed:P",
-              "Russian roulette (default: throughput)")
+              "Russian roulette (default: throughput); P: the probability to go on",
+              "off, throughput or fixed:P with P above 0, at most 1")
         ->group(group);
     addParsed(app, "--rr-depth", options.rrDepth, numberWithin(0U), "N", "scatterings before it begins (default: 5)",
               kWhole)

@@ -120,8 +120,8 @@ void addAovs(CLI::App& app, SamplingOptions& options);
 void addLightLayers(CLI::App& app, SamplingOptions& options);
 void addBackend(CLI::App& app, BackendOptions& options);
 void addDeviceOptions(CLI::App& app, BackendOptions& options);
-inline constexpr const char* kCount = "a whole number above 0";
-inline constexpr const char* kWhole = "a whole number, 0 or above";
+inline constexpr const char* kCount = "a whole number from 1 to 4294967295";
+inline constexpr const char* kWhole = "a whole number from 0 to 4294967295";
 inline constexpr const char* kReal = "a number";
 inline constexpr const char* kPositive = "a number above 0";
 

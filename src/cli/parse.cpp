@@ -115,6 +115,7 @@ std::optional<EnvironmentChoice> parseEnvironment(std::string_view text) {
     if (text == "none") return EnvironmentChoice{Kind::None, {}, {}};
     if (text == "studio") return EnvironmentChoice{Kind::Studio, {}, {}};
     if (const auto color = parseColor(text)) return EnvironmentChoice{Kind::Color, *color, {}};
+    if (parseVec3(text)) return std::nullopt;  // a colour below 0, no file
     return EnvironmentChoice{Kind::File, {}, std::filesystem::path(text)};
 }
 

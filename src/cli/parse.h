@@ -85,7 +85,7 @@ struct EnvironmentChoice {
     glm::vec3 color{0};
     std::filesystem::path file;
 };
-/// "studio", "none", "R,G,B", else a file.
+/// "studio", "none", "R,G,B", else a file; three numbers are never the name of one.
 [[nodiscard]] std::optional<EnvironmentChoice> parseEnvironment(std::string_view text);
 
 }  // namespace vkpt

@@ -10,6 +10,7 @@
 
 #include "cli/clock.h"
 #include "cli/command.h"
+#include "cli/estimator_check.h"
 #include "gltf/import.h"
 #include "scene/camera.h"
 #include "scene/default_light.h"
@@ -17,7 +18,6 @@
 #include "scene/flatten.h"
 #include "scene/light_groups.h"
 #include "scene/material_override.h"
-#include "scene/pixel_filter.h"
 
 namespace vkpt {
 namespace {
@@ -61,13 +61,6 @@ void setTransport(RenderParams& params, const SamplingOptions& sampling) {
     params.clampIndirect = sampling.clampIndirect;
     params.pixelFilter = sampling.filter.id;
     params.filterRadius = sampling.filter.radius;
-    if (sampling.aovs.has(Aov::Variance) && hasNegativeLobes(params.pixelFilter))
-        throw usageError("--aov", "variance needs a --filter that takes no light away: mitchell does");
-    const bool isLight = sampling.integrator == IntegratorId::Path || sampling.integrator == IntegratorId::Direct;
-    if (sampling.perBounce && !isLight) throw usageError("--per-bounce", "needs --integrator path or direct");
-    if (sampling.lightGroups.on && !isLight) throw usageError("--light-groups", "needs --integrator path or direct");
-    if (sampling.integrator == IntegratorId::Direct && std::max(params.bsdfSamples, params.lightSamples) == 0)
-        throw usageError("--bsdf-samples", "and --light-samples are both 0: nothing would be computed");
 }
 
 /// Layers of light, now that scene and integrator are known.
@@ -98,6 +91,7 @@ void setSampling(RenderOptions& options, const SamplingOptions& sampling) {
     params.rrMode = sampling.roulette.mode;
     params.rrFixed = sampling.roulette.survival;
     params.rrDepth = sampling.rrDepth;
+    checkEstimator(sampling);
     setTransport(params, sampling);
 }
 
@@ -159,12 +153,18 @@ void setCamera(RenderParams& params, const Scene& scene, const SceneArrays& arra
 
 /// Resolves Automatic, now that the scene is known, and says what came of it.
 EnvironmentKind resolveKind(EnvironmentKind kind, const SceneArrays& arrays) {
-    if (kind == EnvironmentKind::None && arrays.lights.empty())
-        spdlog::warn("nothing lights this scene: the picture will be black");
     if (kind != EnvironmentKind::Automatic) return kind;
     if (hasOwnLight(arrays)) return EnvironmentKind::None;
     spdlog::info("the scene has no light of its own: the built-in studio lights it (see --env)");
     return EnvironmentKind::Studio;
+}
+
+/// What the picture will lack, and options given in vain.
+void warnOfEstimator(const PreparedScene& prepared, const SceneOptions& scene, const SamplingOptions& sampling) {
+    for (const std::string& line : idleOptions(scene, sampling)) spdlog::warn("{}", line);
+    if (prepared.arrays.lights.empty() && !hasOwnLight(prepared.arrays)) spdlog::warn("nothing lights this scene");
+    if (const std::string line = unfoundLight(prepared.arrays, prepared.options.params); !line.empty())
+        spdlog::warn("{}", line);
 }
 
 void setEnvironment(PreparedScene& prepared, EnvironmentChoice choice, std::future<EnvironmentMap> file) {
@@ -231,6 +231,7 @@ PreparedScene prepareScene(const SceneOptions& scene, const SamplingOptions& sam
     params.backgroundMode = scene.background.mode;
     params.background = scene.background.color;
     setLightLayers(prepared, sampling);
+    warnOfEstimator(prepared, scene, sampling);
     clock.done("camera");
     buildBvh(prepared.arrays, {}, &prepared.bvh);
     clock.done("bvh");

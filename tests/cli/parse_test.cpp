@@ -82,7 +82,7 @@ TEST(Parse, Environments) {
     EXPECT_EQ(parseEnvironment("1,1,1")->kind, Kind::Color);
     EXPECT_EQ(parseEnvironment("sky,1.hdr")->kind, Kind::File);
     EXPECT_EQ(parseEnvironment("sky.exr")->file, "sky.exr");
-    EXPECT_FALSE(parseEnvironment(""));
+    for (const char* text : {"", "1,-1,1"}) EXPECT_FALSE(parseEnvironment(text)) << text;
 }
 
 TEST(Parse, NumbersAreTheWholeText) {

@@ -59,6 +59,9 @@ TEST_F(Program, UsageErrorsAre64AndOneLineThatNamesTheFault) {
         {{"render", "a.glb", "b.glb"}, "b.glb"},
         {{"render", "a.glb", "--quiet", "--verbose"}, "--quiet"},
         {{"render", kCornellBox, "--samples", "1:99"}, "--samples"},
+        {{"render", kCornellBox, "--max-depth", "4294967296"}, "from 0 to 4294967295"},
+        {{"render", kCornellBox, "--rr", "fixed:0"}, "P above 0"},
+        {{"render", kCornellBox, "--env", "1,-1,1"}, "numbers from 0"},
         {{"render", kCornellBox, "--per-bounce", "--integrator", "ao"}, "--per-bounce"},
         {{"render", kCornellBox, "--light-groups", "all", "--integrator", "cost"}, "--light-groups"},
         {{"render", kCornellBox, "--light-groups", "nobody", "--backend", "cpu"}, "'nobody'"},
@@ -266,7 +269,24 @@ TEST_F(Program, SampleCountsAreRoundedWithANotice) {
     EXPECT_EQ(attribute("a.exr", "vkpt:spp"), "9");
 }
 
-// A look is data: its PNG is as it is unless a tone map is asked for. That of cost is in false colours, with a scale.
+// The warnings of --quiet are those that a user must not miss.
+TEST_F(Program, SaysWhatAnEstimatorCannotFindAndWhatIsGivenInVain) {
+    const RunResult r = run({"render", VKPT_SCENES "/punctual_lights/scene.gltf", "--backend", "cpu", "--size", "8x8",
+                             "--spp", "1", "--strategy", "bsdf", "--ao-distance", "1", "--quiet"});
+    EXPECT_EQ(r.code, 0);
+    EXPECT_EQ(r.errLines(), 2) << r.err;
+    EXPECT_THAT(r.err, HasSubstr("warning: --ao-distance has no effect without --integrator ao"));
+    EXPECT_THAT(r.err, HasSubstr("how many stay dark: 5"));
+    folder_.write("t.gltf", triangleGltf());
+    folder_.write("buffer.bin", triangleBuffer());
+    for (const char* environment : {"none", "0,0,0"})
+        EXPECT_THAT(
+            run({"render", "t.gltf", "--backend", "cpu", "--size", "8x8", "--spp", "1", "--env", environment}).err,
+            HasSubstr("nothing lights this scene"));
+}
+
+// A look is data: its PNG is as it is unless a tone map is asked for. Those of cost and depth are in false colours,
+// with a scale: beyond a metre depth would be white.
 TEST_F(Program, PngOfALookIsNotToneMapped) {
     const auto look = [&](const char* integrator, const Words& more, const char* file) {
         Words words = {"--backend", "cpu", "--integrator", integrator, "-o", file};
@@ -278,6 +298,10 @@ TEST_F(Program, PngOfALookIsNotToneMapped) {
     EXPECT_EQ(plain.pixels, look("normal", {"--tonemap", "none"}, "b.png").pixels);
     EXPECT_NE(plain.pixels, look("normal", {"--tonemap", "neutral"}, "c.png").pixels);
     EXPECT_GT(look("cost", {}, "d.png").height, plain.height);
+    const Image depth = look("depth", {}, "e.png");
+    EXPECT_GT(depth.height, plain.height);
+    const auto [near, far] = std::minmax_element(depth.pixels.begin(), depth.pixels.end());
+    EXPECT_LT(*near, *far);
 }
 
 TEST_F(Program, BsdfGivesTableJsonAndPictures) {

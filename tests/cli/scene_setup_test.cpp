@@ -114,6 +114,13 @@ TEST_F(SceneSetup, DirectLightNeedsSamples) {
     EXPECT_EQ(pathDepth(prepare().options.params), 1U);
     sampling_.bsdfSamples = sampling_.lightSamples = 0;
     expectUsageError("--bsdf-samples");
+    sampling_.lightSamples = 1;
+    sampling_.strategy = Strategy::Bsdf;
+    expectUsageError("--strategy bsdf");
+    sampling_.strategy = Strategy::Light;
+    EXPECT_EQ(prepare().options.params.bsdfSamples, 0U);
+    std::swap(sampling_.bsdfSamples, sampling_.lightSamples);
+    expectUsageError("--strategy light");
 }
 
 TEST_F(SceneSetup, VarianceNeedsAFilterWithoutLobesBelowZero) {
