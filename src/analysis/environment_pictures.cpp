@@ -55,18 +55,26 @@ Image developed(const std::vector<glm::dvec3>& cells, std::uint32_t columns, std
     return image;
 }
 
-/// Luminance x sin(theta) in false colours, four decades.
-Image importance(const std::vector<glm::dvec3>& cells, std::uint32_t columns, std::uint32_t rows) {
+/// Luminance x sin(theta) of every cell.
+std::vector<double> importanceOf(const std::vector<glm::dvec3>& cells, std::uint32_t columns, std::uint32_t rows) {
     std::vector<double> values(cells.size());
     for (std::size_t i = 0; i < cells.size(); ++i)
         values[i] = brightness(cells[i]) *
                     std::sin(std::numbers::pi * (static_cast<double>(i / columns) + 0.5) / static_cast<double>(rows));
-    const double top = *std::ranges::max_element(values);
-    Image image(columns, rows, 3);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const double decades = values[i] > 0 ? std::log10(values[i] / top) : -4;
-        const glm::vec3 color = falseColor(static_cast<float>(std::max(0.0, 1 + decades / 4)));
-        std::copy_n(&color.x, 3, image.pixels.data() + 3 * i);
+    return values;
+}
+
+/// False colours of four decades below the largest value: of each `run` values by themselves.
+Image decades(const std::vector<double>& values, std::uint32_t columns, std::size_t run) {
+    Image image(columns, static_cast<std::uint32_t>(values.size() / columns), 3);
+    for (std::size_t first = 0; first < values.size(); first += run) {
+        const auto begin = values.begin() + static_cast<std::ptrdiff_t>(first);
+        const double top = *std::max_element(begin, begin + static_cast<std::ptrdiff_t>(run));
+        for (std::size_t i = first; i < first + run; ++i) {
+            const double below = values[i] > 0 ? std::log10(values[i] / top) : -4;
+            const glm::vec3 color = falseColor(static_cast<float>(std::max(0.0, 1 + below / 4)));
+            std::copy_n(&color.x, 3, image.pixels.data() + 3 * i);
+        }
     }
     return image;
 }
@@ -98,17 +106,21 @@ Drawing drawEnvironment(const std::string& name, const SceneArrays& e, const std
         static_cast<std::uint32_t>(std::uint64_t{columns} * e.envHeight / e.envWidth), 1, kColumns);
     const double height = kWidth * rows / columns;
     const auto cells = shrink(e, columns, rows);
+    const std::vector<double> importance = importanceOf(cells, columns, rows);
     Drawing d;
     d.width = 3 * kMargin + kWidth + kMarginal;
-    d.height = 3 * (height + kCaption + kMargin) + kMargin;
+    d.height = 4 * (height + kCaption + kMargin) + kMargin;
     double y = kMargin + kCaption;
     const auto title = [&](const std::string& text) { d.text(kMargin, y - 6, text, 12); };
     title(fmt::format("{}, {}x{}", name, e.envWidth, e.envHeight));
     drawImage(d, developed(cells, columns, rows, 0.4), kMargin, y, kWidth);
     y += height + kMargin + kCaption;
     title("scalar importance: luminance x sin(theta), four decades");
-    drawImage(d, importance(cells, columns, rows), kMargin, y, kWidth);
+    drawImage(d, decades(importance, columns, importance.size()), kMargin, y, kWidth);
     drawMarginal(d, e, 2 * kMargin + kWidth, y, height);
+    y += height + kMargin + kCaption;
+    title("conditional density of the columns: every row by itself, four decades below its peak");
+    drawImage(d, decades(importance, columns, columns), kMargin, y, kWidth);
     y += height + kMargin + kCaption;
     title(fmt::format("where {} samples fall", places.size()));
     drawImage(d, developed(cells, columns, rows, 0.15), kMargin, y, kWidth);

@@ -64,6 +64,34 @@ TEST(EnvironmentStudy, ImportanceGainsMostWhereLightIsSmall) {
     EXPECT_GT(study.drawing.shapes.size(), 600U);
 }
 
+/// The boxes that follow the title which begins so, up to the next text.
+std::vector<shape::Box> boxesUnder(const Drawing& drawing, const std::string& title) {
+    std::vector<shape::Box> boxes;
+    bool under = false;
+    for (const Shape& shape : drawing.shapes) {
+        if (const auto* text = std::get_if<shape::Text>(&shape)) under = text->text.starts_with(title);
+        if (const auto* box = std::get_if<shape::Box>(&shape); box && under) boxes.push_back(*box);
+    }
+    return boxes;
+}
+
+// Rows that are multiples of one another have one conditional density, whatever their share of the marginal.
+TEST(EnvironmentStudy, ShowsTheConditionalDensityOfEachRow) {
+    constexpr std::uint32_t kWidth = 16, kHeight = 8;
+    EnvironmentMap map{kWidth, kHeight, {}};
+    for (std::uint32_t j = 0; j < kHeight; ++j)
+        for (std::uint32_t i = 0; i < kWidth; ++i)
+            map.texels.emplace_back(static_cast<float>((j + 1) * (j + 1)) * static_cast<float>(i + 1));
+    const Drawing drawing = studyOf(map).drawing;
+    const auto importance = boxesUnder(drawing, "scalar importance"),
+               conditional = boxesUnder(drawing, "conditional density");
+    ASSERT_EQ(importance.size(), kWidth * kHeight);
+    ASSERT_EQ(conditional.size(), kWidth * kHeight);
+    for (std::uint32_t i = 0; i < kWidth * kHeight; ++i)
+        EXPECT_NEAR(conditional[i].ink.r, conditional[i % kWidth].ink.r, 1e-4) << i;
+    EXPECT_GT(std::abs(importance.front().ink.r - importance[kWidth * kHeight / 2].ink.r), 0.1);
+}
+
 TEST(EnvironmentStudy, ABlackMapIsRefused) { EXPECT_THROW((void)studyOf(constantEnvironment(glm::vec3(0))), Error); }
 
 }  // namespace

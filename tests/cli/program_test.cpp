@@ -331,6 +331,19 @@ TEST_F(Program, EnvGivesTableJsonAndPictures) {
     EXPECT_EQ(run({"env", "absent.hdr"}).code, 4);
 }
 
+// 8192x4096 texels of one colour: 2 MB as a file of runs, 402 MB as floats. The bound is the one README states.
+TEST_F(Program, FullALargeMapTakesBoundedMemory) {
+    std::string row("\x02\x02\x20\x00", 4);
+    for (const char channel : {'\x80', '\x70', '\x60', '\x81'})
+        for (int left = 8192; left > 0; left -= 127) row += {static_cast<char>(128 + std::min(left, 127)), channel};
+    std::string file = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 4096 +X 8192\n";
+    for (int y = 0; y < 4096; ++y) file += row;
+    folder_.write("large.hdr", file);
+    const RunResult r = render({"--backend", "cpu", "--env", "large.hdr", "--stats", "s.json"}, {}, "1");
+    ASSERT_EQ(r.code, 0) << r.err;
+    EXPECT_LT(Json::parse(readText(folder_ / "s.json")).at("peakHostBytes").get<double>(), 1.4e9);
+}
+
 TEST_F(Program, SamplesGivesTableJsonAndPictures) {
     const RunResult table =
         run({"samples", "--sampler", "jittered,poissondisk", "--count", "16", "--grid", "-o", "a.svg"});

@@ -185,6 +185,7 @@ TEST_F(SceneSetup, SettingsHashFollowsTheFilesOfTheScene) {
 }
 
 TEST_F(SceneSetup, MetadataTellsTheWholeStory) {
+    sampling_.clampIndirect = 8;
     Film film(8, 8);
     film.ranges = {{4, 6}};
     FilmRecord record{Film(8, 8), renderSettings(prepare()), {}};
@@ -206,6 +207,7 @@ TEST_F(SceneSetup, MetadataTellsTheWholeStory) {
     EXPECT_EQ(value("vkpt:backend"), "cpu");
     EXPECT_EQ(value("vkpt:device"), "CPU reference");
     EXPECT_EQ(Json::parse(value("vkpt:settings")).at("env"), "studio");
+    EXPECT_EQ(Json::parse(value("vkpt:settings")).at("clampIndirect"), "8");
 }
 
 TEST(Version, IsTheProjectsOwn) {

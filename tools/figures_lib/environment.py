@@ -18,7 +18,7 @@ WAYS = (("uniform", ("--strategy", "bsdf", "--hemisphere", "uniform")),
 def study(environment, count, target):
     """The JSON of `vkpt env`, and its picture as an element of the page."""
     found = json.loads(vkpt.run("env", environment, "--count", count, "-o", target, "--json"))
-    return found, page.image_file(target, f"{environment}: map, importance, marginal, samples")
+    return found, page.image_file(target, f"{environment}: map, importance, marginal, conditionals, samples")
 
 
 def lit_by(folder, sky, quick):
@@ -56,8 +56,9 @@ def environment_importance(quick):
         lit = lit_by(folder, sky, quick)
     return Section("Importance of an environment map",
                    "The map; its importance, a scalar: luminance × sin θ, since rows near the poles are short; the "
-                   "marginal, the sum of every row; and where samples fall: a row is drawn by the marginal, a column "
-                   "by what the row holds, as its conditional density. They gather where light is: in the sun, the "
+                   "marginal, the sum of every row; every row by itself, which is the conditional density of its "
+                   "columns; and where samples fall: a row is drawn by the marginal, a column by the row's "
+                   "conditional density. They gather where light is: in the sun, the "
                    "lamps. The table has the variance of one sample, relative to the integral squared, for directions "
                    "uniform over the sphere and by importance. Last, direct light of the sky with a sun: directions of "
                    "the hemisphere meet the sun by chance, and then it is far too bright; importance finds it in every "
