@@ -25,12 +25,22 @@ struct EnvCommand {
     bool json = false;
 };
 
+/// --count, or the next number that the sampler's sets have.
+std::uint32_t roundedCount(SamplerId sampler, std::uint32_t count) {
+    const std::uint32_t rounded = sampleCount(sampler, count);
+    const SamplerInfo& info = samplerInfo(sampler);
+    if (rounded != count)
+        spdlog::info("--count {}: '{}' takes {}, so {}", count, info.name, countsText(info.counts), rounded);
+    return rounded;
+}
+
 ExitCode runEnv(EnvCommand& c) {
     const auto choice = parseEnvironment(c.map);
     if (!choice || choice->kind == EnvironmentChoice::Kind::None)
         throw usageError("FILE", fmt::format("'{}' is no map, no colour R,G,B and not studio", c.map));
     checkPicture(c.output);
     c.request.sampler = chooseSampler(c.sampler, c.scramble);
+    c.request.count = roundedCount(c.sampler, c.request.count);
     c.request.name = environmentName(*choice);
     c.request.map = makeEnvironment(*choice);
     c.request.picture = !c.output.empty();

@@ -11,7 +11,7 @@
 namespace vkpt {
 namespace {
 
-bool isLight(IntegratorId id) { return id == IntegratorId::Path || id == IntegratorId::Direct; }
+bool computesLight(IntegratorId id) { return id == IntegratorId::Path || id == IntegratorId::Direct; }
 
 void checkDirect(const SamplingOptions& s) {
     const bool light = s.lightSamples > 0, bsdf = s.bsdfSamples > 0;
@@ -29,8 +29,9 @@ void checkDirect(const SamplingOptions& s) {
 void checkEstimator(const SamplingOptions& s) {
     if (s.aovs.has(Aov::Variance) && hasNegativeLobes(s.filter.id))
         throw usageError("--aov", "variance needs a --filter that takes no light away: mitchell does");
-    if (s.perBounce && !isLight(s.integrator)) throw usageError("--per-bounce", "needs --integrator path or direct");
-    if (s.lightGroups.on && !isLight(s.integrator))
+    if (s.perBounce && !computesLight(s.integrator))
+        throw usageError("--per-bounce", "needs --integrator path or direct");
+    if (s.lightGroups.on && !computesLight(s.integrator))
         throw usageError("--light-groups", "needs --integrator path or direct");
     if (s.integrator == IntegratorId::Direct) checkDirect(s);
 }

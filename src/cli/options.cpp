@@ -117,7 +117,7 @@ void addIntegratorOptions(CLI::App& app, SamplingOptions& options) {
               "how far --integrator ao looks, in metres (default: everywhere)", kPositive)
         ->group(group);
     addParsed(app, "--clamp-indirect", options.clampIndirect, numberWithin(0.0F), "X",
-              "most nits of a contribution that was scattered twice; takes light away (default: 0, off)",
+              "most nits of a contribution that was scattered twice or more; takes light away (default: 0, off)",
               "a number, 0 or above")
         ->group(group);
     addParsed(app, "--filter", options.filter, parseFilter, "NAME[:RADIUS]",
@@ -175,7 +175,7 @@ void addSamplingOptions(CLI::App& app, SamplingOptions& options) {
         ->group(group);
     addParsed(app, "--rr", options.roulette, parseRoulette, "off|throughput|fixed:P",
               "Russian roulette (default: throughput); P: the probability to go on",
-              "off, throughput or fixed:P with P above 0, at most 1")
+              fmt::format("off, throughput or fixed:P with P from {} to 1", kLeastSurvival))
         ->group(group);
     addParsed(app, "--rr-depth", options.rrDepth, numberWithin(0U), "N", "scatterings before it begins (default: 5)",
               kWhole)

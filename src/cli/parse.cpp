@@ -72,8 +72,8 @@ std::optional<Roulette> parseRoulette(std::string_view text) {
     if (text == "throughput") return Roulette{kRouletteThroughput, 1};
     const auto halves = splitAt(text, ':');
     if (!halves || halves->left != "fixed") return std::nullopt;
-    const auto survival = parseNumber<float>(halves->right);
-    if (!survival || *survival <= 0 || *survival > 1) return std::nullopt;
+    const auto survival = numberWithin(kLeastSurvival, 1.0F)(halves->right);
+    if (!survival) return std::nullopt;
     return Roulette{kRouletteFixed, *survival};
 }
 

@@ -55,7 +55,11 @@ template <class T>
 /// "THETA,PHI,RADIUS": degrees about and from the vertical axis, metres above 0.
 [[nodiscard]] std::optional<glm::vec3> parseOrbit(std::string_view text);
 
-/// "off", "throughput" or "fixed:P" with 0 < P <= 1.
+/// Of fixed:P. Random numbers have 24 bits, so that a path goes on with P rounded up to 2^-24: here that is 0.006 %
+/// more light at most, of P = 1e-9 sixty times as much.
+inline constexpr float kLeastSurvival = 1e-3F;
+
+/// "off", "throughput" or "fixed:P" with kLeastSurvival <= P <= 1.
 struct Roulette {
     std::uint32_t mode = kRouletteThroughput;
     float survival = 1;  ///< P of fixed:P

@@ -45,7 +45,7 @@ TEST(Parse, RussianRoulette) {
     EXPECT_EQ(parseRoulette("fixed:0.25")->mode, kRouletteFixed);
     EXPECT_EQ(parseRoulette("fixed:0.25")->survival, 0.25F);
     EXPECT_TRUE(parseRoulette("fixed:1"));
-    for (const char* bad : {"", "fixed", "fixed:", "fixed:0", "fixed:1.1", "fixed:-1", "on"})
+    for (const char* bad : {"", "fixed", "fixed:", "fixed:0", "fixed:0.0009", "fixed:1.1", "fixed:-1", "on"})
         EXPECT_FALSE(parseRoulette(bad)) << bad;
 }
 

@@ -60,7 +60,7 @@ TEST_F(Program, UsageErrorsAre64AndOneLineThatNamesTheFault) {
         {{"render", "a.glb", "--quiet", "--verbose"}, "--quiet"},
         {{"render", kCornellBox, "--samples", "1:99"}, "--samples"},
         {{"render", kCornellBox, "--max-depth", "4294967296"}, "from 0 to 4294967295"},
-        {{"render", kCornellBox, "--rr", "fixed:0"}, "P above 0"},
+        {{"render", kCornellBox, "--rr", "fixed:0"}, "P from 0.001 to 1"},
         {{"render", kCornellBox, "--env", "1,-1,1"}, "numbers from 0"},
         {{"render", kCornellBox, "--per-bounce", "--integrator", "ao"}, "--per-bounce"},
         {{"render", kCornellBox, "--light-groups", "all", "--integrator", "cost"}, "--light-groups"},
@@ -324,8 +324,9 @@ TEST_F(Program, EnvGivesTableJsonAndPictures) {
     ASSERT_EQ(table.code, 0) << table.err;
     EXPECT_THAT(table.out, HasSubstr("studio: 512x256"));
     EXPECT_THAT(readText(folder_.path() / "a.svg"), testing::StartsWith("<svg"));
-    const RunResult json = run({"env", "1,2,3", "--count", "9", "--json", "-o", "a.png"});
+    const RunResult json = run({"env", "1,2,3", "--sampler", "orthogonal", "--count", "5", "--json", "-o", "a.png"});
     ASSERT_EQ(json.code, 0) << json.err;
+    EXPECT_THAT(json.err, HasSubstr("--count 5: 'orthogonal' takes the square of a prime, so 9"));
     EXPECT_EQ(Json::parse(json.out).at("samples").size(), 9U);
     EXPECT_GT(image("a.png").width, 100U);
     EXPECT_EQ(run({"env", "absent.hdr"}).code, 4);
