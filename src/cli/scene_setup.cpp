@@ -96,10 +96,7 @@ void setSampling(RenderOptions& options, const SamplingOptions& sampling) {
 }
 
 void useFileCamera(RenderParams& params, const Scene& scene, Camera camera, std::optional<float> fov) {
-    if (fov) {
-        if (camera.orthographic) throw usageError("--fov", "the camera is orthographic");
-        camera.yfov = glm::radians(*fov);
-    }
+    if (fov && !camera.orthographic) camera.yfov = glm::radians(*fov);
     fromCamera(params, scene, camera);
 }
 
@@ -122,7 +119,14 @@ glm::uvec2 frameSize(const SceneOptions& options, const Camera* camera) {
 /// Projection and lens of the command line. `distance`: from the eye to the target, along the view.
 void setLens(RenderParams& params, const SceneOptions& options, float distance) {
     const float reach = distance > 0 ? distance : 1;
+    const bool fileIsOrthographic = params.projection == kProjectionOrthographic;
     if (options.projection) setProjection(params, static_cast<std::uint32_t>(*options.projection), reach);
+    if (options.fov && fileIsOrthographic) {
+        if (params.projection == kProjectionOrthographic)
+            throw usageError("--fov", "the camera is orthographic: give --ymag, or --projection perspective");
+        if (params.projection == kProjectionPerspective)
+            setHalfHeight(params, std::tan(glm::radians(*options.fov) / 2));
+    }
     if (options.ymag) {
         if (params.projection != kProjectionOrthographic) throw usageError("--ymag", "needs --projection orthographic");
         setHalfHeight(params, *options.ymag);

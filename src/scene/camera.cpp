@@ -156,8 +156,8 @@ void setProjection(RenderParams& params, std::uint32_t projection, float distanc
     params.projection = projection;
 }
 
-void setHalfHeight(RenderParams& params, float ymag) {
-    const float scale = ymag / glm::length(params.up);
+void setHalfHeight(RenderParams& params, float halfHeight) {
+    const float scale = halfHeight / glm::length(params.up);
     params.up *= scale;
     params.right *= scale;
 }

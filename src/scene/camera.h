@@ -34,8 +34,8 @@ void fromCamera(RenderParams& params, const Scene& scene, const Camera& camera);
 /// `distance` metres, and the reverse; a panorama looks forward in its middle. Requires that the view is no panorama.
 void setProjection(RenderParams& params, std::uint32_t projection, float distance);
 
-/// Scales the window of an orthographic view to this half height, metres.
-void setHalfHeight(RenderParams& params, float ymag);
+/// Scales the window of a view to this half height: metres of an orthographic one, tan(fov/2) of a perspective one.
+void setHalfHeight(RenderParams& params, float halfHeight);
 
 /// By name, else by index in the order of the file. Throws FileError, naming the cameras there are.
 [[nodiscard]] const Camera& findCamera(const Scene& scene, std::string_view nameOrIndex);

@@ -109,6 +109,17 @@ TEST_F(SceneSetup, CamerasThatCannotBeAreUsageErrors) {
     expectUsageError("--aperture");
 }
 
+TEST_F(SceneSetup, FovIsOfThePerspectiveThatIsAskedForWhateverTheFilesCamera) {
+    scene_.file = VKPT_SCENES "/orthographic/scene.gltf";
+    scene_.fov = 90;
+    expectUsageError("--fov");
+    scene_.projection = Projection::Perspective;
+    const RenderParams params = prepare().options.params;
+    EXPECT_EQ(params.projection, kProjectionPerspective);
+    EXPECT_NEAR(glm::length(params.up), 1, 1e-5) << "tan 45 degrees";
+    EXPECT_NEAR(glm::length(params.right), 1, 1e-5) << "8x8 pixels";
+}
+
 TEST_F(SceneSetup, DirectLightNeedsSamples) {
     sampling_.integrator = IntegratorId::Direct;
     EXPECT_EQ(pathDepth(prepare().options.params), 1U);
