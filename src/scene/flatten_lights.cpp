@@ -45,6 +45,9 @@ EmissiveTextures prepareTextures(const SceneArrays& arrays) {
     return prepared;
 }
 
+/// By its material: glass that is not double-sided is met from behind, too, and yet shines in front alone.
+bool shinesOnBothSides(const MaterialRecord& material) { return (material.flags & kMaterialDoubleSided) != 0; }
+
 /// Flux of a Lambertian emitter, pi x area x luminance a side; 0 where the triangle is to have no light.
 double trianglePower(const SceneArrays& arrays, const EmissiveTextures& textures, const TriangleRecord& triangle) {
     const MaterialRecord& material = arrays.materials[triangle.flags >> kTriangleMaterialShift];
@@ -55,7 +58,7 @@ double trianglePower(const SceneArrays& arrays, const EmissiveTextures& textures
         const bool second = (texture.flags & kTextureUv1) != 0;
         mean = textures.at(material.emissiveTexture).mean(triangleUv(arrays, triangle, second));
     }
-    const double sides = (triangle.flags & kTriangleSingleSided) != 0 ? 1 : 2;
+    const double sides = shinesOnBothSides(material) ? 2 : 1;
     return sides * std::numbers::pi * triangleArea(triangle) * static_cast<double>(mean);
 }
 
@@ -80,7 +83,7 @@ void addTriangleLights(SceneArrays& arrays) {
         const MaterialRecord& material = arrays.materials[triangle.flags >> kTriangleMaterialShift];
         triangle.light = static_cast<std::uint32_t>(arrays.lights.size());
         LightRecord light{};
-        light.kind = (triangle.flags & kTriangleSingleSided) != 0 ? kLightTriangle : kLightTriangleTwoSided;
+        light.kind = shinesOnBothSides(material) ? kLightTriangleTwoSided : kLightTriangle;
         light.a = triangle.v0, light.b = triangle.v1, light.c = triangle.v2;
         light.area = static_cast<float>(triangleArea(triangle));
         light.color = material.emissive;

@@ -16,6 +16,23 @@ TEST(EveryEstimator, AMirrorShowsALamp) { closed_forms::aMirrorShowsALamp(onRefe
 TEST(EveryEstimator, FurnaceShowsTheAlbedo) { closed_forms::furnaceShowsTheAlbedo(onReference); }
 TEST(EveryEstimator, FurnaceOfEveryIntegrator) { closed_forms::furnaceOfEveryIntegrator(onReference); }
 TEST(EveryEstimator, RouletteKeepsTheMean) { closed_forms::rouletteKeepsTheMean(onReference); }
+
+// A pane over the ground that turns its back on it: however light is looked for, none arrives.
+TEST(EveryEstimator, GlassShinesInFrontAlone) {
+    Material glass = bsdfMaterial("dielectric");
+    glass.emissive = glm::vec3(5);
+    for (const bool facesTheGround : {false, true}) {
+        SceneBuilder builder = closed_forms::groundOf(bsdfMaterial("lambert:color=0.6"));
+        const glm::vec3 x(2, 0, 0), y(0, 2, 0);
+        builder.quad(builder.material(glass), {-1, -1, 1}, facesTheGround ? y : x, facesTheGround ? x : y);
+        const SceneArrays scene = builder.build();
+        closed_forms::forEveryEstimator(viewAlongZ(1, 1e-3F, 64, 1, 0.5F), [&](const RenderOptions& options) {
+            const double found = closed_forms::redOf(onReference, scene, options);
+            EXPECT_EQ(found > 0, facesTheGround) << found;
+        });
+    }
+}
+
 TEST(LongPaths, KeepTheirEnergyForAThousandBounces) { closed_forms::energyOfAThousandBounces(onReference); }
 
 // Each contribution of two and more scatterings is cut, no other.

@@ -45,6 +45,18 @@ TEST(Lights, TwoSidedOnesHaveTwiceThePower) {
     EXPECT_FLOAT_EQ(a.lightPower[0], 2 * kPi * 3 * 10);
 }
 
+// Rays meet its back, and find no light there; nor may light samples.
+TEST(Lights, GlassIsSeenFromBothSidesAndShinesInFront) {
+    Scene scene = lamp();
+    scene.materials[0].bsdf = BsdfSpec{.model = BsdfId::Dielectric};
+    const SceneArrays a = flatten(scene);
+    EXPECT_EQ(a.triangles[0].flags & kTriangleSingleSided, 0U);
+    EXPECT_EQ(a.lights.at(0).kind, kLightTriangle);
+    EXPECT_FLOAT_EQ(a.lightPower[0], kPi * 3 * 10);
+    scene.materials[0].doubleSided = true;
+    EXPECT_EQ(flatten(scene).lights.at(0).kind, kLightTriangleTwoSided);
+}
+
 TEST(Lights, ThoseThatMayBeTransparentAreLeftToChance) {
     Scene scene = lamp();
     scene.materials[0].alphaMode = AlphaMode::Blend;
