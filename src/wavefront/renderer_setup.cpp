@@ -12,7 +12,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-
 bool useTexels(const Device& device, WavefrontConfig::Fetch fetch, std::size_t bytes) {
     const bool texelsFit = TexelView::fits(device, bytes);
     const bool storageFits = bytes <= device.info().limits.maxStorageBufferRange;
@@ -47,9 +46,12 @@ std::uint32_t setSamples(const RenderOptions& options) {
 
 std::uint32_t lastIndex(const RenderOptions& options) { return std::max(options.params.spp, 1U) - 1; }
 
-/// With the depth at which paths end.
+/// With the depth at which paths end. Throws Error (Usage) where that is more than the counters have room for.
 RenderOptions withPathDepth(RenderOptions options) {
+    constexpr std::uint32_t kMostDepth = kMaxBounceBlocks - 2;
     options.params.maxDepth = pathDepth(options.params);
+    if (options.params.maxDepth > kMostDepth)
+        throw Error(ExitCode::Usage, fmt::format("--max-depth {}: at most {}", options.params.maxDepth, kMostDepth));
     return options;
 }
 
@@ -79,9 +81,6 @@ WavefrontRenderer::Impl::Impl(const SceneArrays& arrays, const RenderOptions& re
                .params = options.params}),
       recorder(device, config.timings ? (kStageNames.size() - 3) * kBouncesPerSubmit + 5 : 0),
       pathsPerBatch(capacity) {
-    if (counterBlocks() > kMaxBounceBlocks)
-        throw Error(ExitCode::Usage,
-                    fmt::format("--max-depth {}: at most {}", options.params.maxDepth, kMaxBounceBlocks - 2));
     const auto start = Clock::now();
     createBuffers(arrays);
     uploadSeconds = secondsSince(start);

@@ -63,6 +63,7 @@ TEST_F(Program, UsageErrorsAre64AndOneLineThatNamesTheFault) {
         {{"render", kCornellBox, "--rr", "fixed:0"}, "P from 0.001 to 1"},
         {{"render", kCornellBox, "--env", "1,-1,1"}, "numbers from 0"},
         {{"render", kCornellBox, "--per-bounce", "--integrator", "ao"}, "--per-bounce"},
+        {{"render", kCornellBox, "--max-depth", "4294967295"}, "--max-depth"},
         {{"render", kCornellBox, "--light-groups", "all", "--integrator", "cost"}, "--light-groups"},
         {{"render", kCornellBox, "--light-groups", "nobody", "--backend", "cpu"}, "'nobody'"},
         {{"render", kCornellBox, "--per-bounce", "-o", "a.exr", "-o", "a_bounces.png"}, "a_bounces.png"},
@@ -99,7 +100,8 @@ TEST_F(Program, UsageErrorsAre64AndOneLineThatNamesTheFault) {
 TEST_F(Program, HelpOfEveryCommandShowsAnExample) {
     EXPECT_EQ(run({"--help"}).code, 0);
     EXPECT_THAT(run({"--version"}).out, testing::StartsWith("vkpt "));
-    for (const char* command : {"render", "info", "devices", "bench", "diff", "samples", "bsdf", "env"}) {
+    for (const char* command :
+         {"render", "info", "devices", "bench", "diff", "samples", "bsdf", "env", "merge", "verify"}) {
         const RunResult r = run({command, "--help"});
         EXPECT_EQ(r.code, 0);
         EXPECT_THAT(r.out, HasSubstr(std::string("Example:\n  vkpt ") + command));
