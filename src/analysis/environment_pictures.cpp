@@ -16,7 +16,7 @@ namespace vkpt {
 namespace {
 
 constexpr double kMargin = 24, kCaption = 22, kWidth = 640, kMarginal = 140;
-constexpr std::uint32_t kColumns = 320;  ///< of the pictures
+constexpr std::uint32_t kRows = 160;  ///< of the pictures, at most
 
 /// Texels [first, second) under one of `cells` cells; at least one.
 std::pair<std::uint32_t, std::uint32_t> texelsOf(std::uint32_t cell, std::uint32_t cells, std::uint32_t texels) {
@@ -101,10 +101,9 @@ void drawMarginal(Drawing& d, const SceneArrays& e, double x, double y, double h
 }  // namespace
 
 Drawing drawEnvironment(const std::string& name, const SceneArrays& e, const std::vector<glm::dvec2>& places) {
-    const std::uint32_t columns = std::min(kColumns, e.envWidth);
-    const std::uint32_t rows = std::clamp<std::uint32_t>(
-        static_cast<std::uint32_t>(std::uint64_t{columns} * e.envHeight / e.envWidth), 1, kColumns);
-    const double height = kWidth * rows / columns;
+    // However many texels there are each way, the map is the whole sphere: twice as wide as high.
+    const std::uint32_t rows = std::clamp(std::max(e.envHeight, (e.envWidth + 1) / 2), 1U, kRows), columns = 2 * rows;
+    const double height = kWidth / 2;
     const auto cells = shrink(e, columns, rows);
     const std::vector<double> importance = importanceOf(cells, columns, rows);
     Drawing d;

@@ -92,6 +92,15 @@ TEST(EnvironmentStudy, ShowsTheConditionalDensityOfEachRow) {
     EXPECT_GT(std::abs(importance.front().ink.r - importance[kWidth * kHeight / 2].ink.r), 0.1);
 }
 
+TEST(EnvironmentStudy, PicturesShowTheSphereWhateverTheShapeOfTheMap) {
+    const Drawing usual = studyOf(speckles(16, 8)).drawing;
+    for (const auto& [width, height] : {std::pair{1U, 1U}, {1U, 512U}, {512U, 1U}, {5U, 3U}}) {
+        const Drawing drawing = studyOf(speckles(width, height)).drawing;
+        EXPECT_EQ(drawing.width, usual.width);
+        EXPECT_EQ(drawing.height, usual.height) << width << 'x' << height;
+    }
+}
+
 TEST(EnvironmentStudy, ABlackMapIsRefused) { EXPECT_THROW((void)studyOf(constantEnvironment(glm::vec3(0))), Error); }
 
 }  // namespace
