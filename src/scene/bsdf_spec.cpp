@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/json.h"
+#include "scene/json_values.h"
 #include "scene/metals.h"
 
 namespace vkpt {
@@ -19,53 +20,6 @@ using Models = std::uint32_t;  ///< a bit a model
 template <class... Id>
 constexpr Models models(Id... id) {
     return ((1U << static_cast<std::uint32_t>(id)) | ...);
-}
-
-[[noreturn]] void refuse(std::string_view key, const Json& value, std::string_view wanted) {
-    throw std::invalid_argument(fmt::format("{}: {} is not {}", key, jsonText(value, -1), wanted));
-}
-
-/// One number, or `least` to `most` of them in an array; all within [low, high].
-std::vector<float> numbers(std::string_view key, const Json& value, std::size_t least, std::size_t most, double low,
-                           double high) {
-    std::vector<float> result;
-    const Json list = value.is_array() ? value : Json::array({value});
-    for (const Json& element : list) {
-        const bool fits = element.is_number() && element.get<double>() >= low && element.get<double>() <= high;
-        if (!fits) refuse(key, value, fmt::format("within {:g} and {:g}", low, high));
-        result.push_back(element.get<float>());
-    }
-    if (result.size() != 1 && (result.size() < least || result.size() > most))
-        refuse(key, value, most == 1 ? "one number" : fmt::format("one number or {}", most));
-    return result;
-}
-
-float number(std::string_view key, const Json& value, double low, double high) {
-    return numbers(key, value, 1, 1, low, high)[0];
-}
-glm::vec2 two(std::string_view key, const Json& value, double low, double high) {
-    const auto n = numbers(key, value, 2, 2, low, high);
-    return {n.front(), n.back()};
-}
-glm::vec3 three(std::string_view key, const Json& value, double low, double high) {
-    const auto n = numbers(key, value, 3, 3, low, high);
-    return n.size() == 1 ? glm::vec3(n[0]) : glm::vec3(n[0], n[1], n[2]);
-}
-
-template <class Value>
-struct Choice {
-    std::string_view name;
-    Value value;
-};
-
-template <class Value, std::size_t n>
-Value choose(std::string_view key, const Json& value, const std::array<Choice<Value>, n>& choices) {
-    if (value.is_string())
-        for (const auto& choice : choices)
-            if (choice.name == value.get<std::string>()) return choice.value;
-    std::vector<std::string_view> names;
-    for (const auto& choice : choices) names.push_back(choice.name);
-    refuse(key, value, fmt::format("one of {}", fmt::join(names, ", ")));
 }
 
 constexpr auto kDistributions = std::to_array<Choice<Distribution>>(
@@ -196,13 +150,6 @@ void refuseContradictions(const Json& json) {
 
 Json colorJson(const glm::vec3& v) { return Json::array({v.x, v.y, v.z}); }
 
-template <class Value, std::size_t n>
-std::string nameOf(const std::array<Choice<Value>, n>& choices, Value value) {
-    for (const auto& choice : choices)
-        if (choice.value == value) return std::string(choice.name);
-    return "v_groove";
-}
-
 }  // namespace
 
 BsdfSpec defaultBsdf(BsdfId model) {
@@ -284,7 +231,7 @@ Json bsdfToJson(const BsdfSpec& spec) {
     put("diffuse", colorJson(spec.diffuse));
     put("alpha", Json::array({spec.alpha.x, spec.alpha.y}));
     put("distribution", nameOf(kDistributions, spec.distribution));
-    put("masking", nameOf(kMaskings, spec.masking));
+    put("masking", spec.masking == Masking::VGroove ? "v_groove" : nameOf(kMaskings, spec.masking));
     if (spec.metal) {
         put("eta", colorJson(spec.eta));
         put("k", colorJson(spec.k));
