@@ -63,7 +63,8 @@ struct Drawing {
 
 [[nodiscard]] std::string toSvg(const Drawing& drawing);
 
-/// `scale` pixels a unit, antialiased, on white. Text is drawn in the font of stb_easy_font: ASCII only.
+/// `scale` pixels a unit, antialiased, on white. Text is drawn in the font of stb_easy_font, which is ASCII
+/// only: other characters are a '?' each.
 [[nodiscard]] Image toImage(const Drawing& drawing, double scale = 2);
 
 }  // namespace vkpt

@@ -13,6 +13,16 @@ namespace {
 constexpr double kFontLine = 12;  ///< units of stb_easy_font that a line of text is high
 constexpr double kBaseline = 8;   ///< of which lie above the baseline
 
+/// The font has glyphs for printable ASCII and reads beyond its table for others: those become a '?' each.
+std::string drawable(const std::string& text) {
+    std::string result;
+    for (const char c : text) {
+        const bool continues = (static_cast<unsigned char>(c) & 0xc0U) == 0x80U;  // a character of UTF-8
+        if (!continues) result += c >= ' ' && c <= '~' ? c : '?';
+    }
+    return result;
+}
+
 class Rasteriser {
 public:
     Rasteriser(Image& image, double scale) : image_(image), scale_(scale) {}
@@ -36,7 +46,7 @@ public:
         });
     }
     void operator()(const shape::Text& s) {
-        std::string text = s.text;
+        std::string text = drawable(s.text);
         std::vector<std::array<float, 4>> vertices(text.size() * 4 * 70 + 4);
         const int quads = stb_easy_font_print(0, 0, text.data(), nullptr, vertices.data(),
                                               static_cast<int>(vertices.size() * sizeof(vertices[0])));

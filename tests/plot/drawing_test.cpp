@@ -36,6 +36,16 @@ TEST(ToImage, DrawsTextWhereItIsAligned) {
     EXPECT_GT(right, 10);
 }
 
+TEST(ToImage, CharactersWithoutAGlyphAreQuestionMarks) {
+    const auto drawn = [](const std::string& text) {
+        Drawing d{100, 20, {}};
+        d.text(2, 14, text);
+        return toImage(d, 1).pixels;
+    };
+    EXPECT_EQ(drawn("\u00fc-\u2600\U0001f4a1"), drawn("?-??"));
+    EXPECT_EQ(drawn("a\x7f\n~"), drawn("a??~"));
+}
+
 TEST(ToSvg, HoldsEveryShapeAndEscapesText) {
     Drawing d{50, 40, {}};
     d.line(1, 2, 3, 4, 1, kBlack);
