@@ -15,9 +15,9 @@ VKPT_CONST uint kDimBounceBehindLens = 4u;
 // Bounce b (0 at the first surface): kDimBounce + b * kDimBounceStride + one of the following.
 VKPT_CONST uint kDimBounce = 2u;
 VKPT_CONST uint kDimBounceStride = 6u;
-VKPT_CONST uint kDimBsdf = 0u;      // 2D: which lobe, and the direction
+VKPT_CONST uint kDimBsdf = 0u;      // 2D: the direction; of glTF's BSDF the lobe before it
 VKPT_CONST uint kDimLight = 2u;     // 2D: which light, and the position on it
-VKPT_CONST uint kDimLobe = 4u;      // reserved: choices of a BSDF that its direction must not depend on
+VKPT_CONST uint kDimLobe = 4u;      // the lobe, of other BSDFs
 VKPT_CONST uint kDimRoulette = 5u;  // Russian roulette; a pair with kDimLobe
 
 #ifdef __cplusplus
