@@ -111,6 +111,7 @@ void WavefrontRenderer::Impl::renderBatch(const FilmBand& band, BatchParams batc
 void WavefrontRenderer::Impl::renderRound(const FilmBand& band, const BatchParams& batch, bool last,
                                           WavefrontStats& stats) {
     const std::uint32_t bounces = options.params.maxDepth + 1;
+    stats.stages[static_cast<std::size_t>(Stage::Generate)].items += batch.pathCount;
     bool more = true;
     for (std::uint32_t begin = 0; more; begin += kBouncesPerSubmit) {
         const std::uint32_t end = std::min(begin + kBouncesPerSubmit, bounces);

@@ -107,7 +107,7 @@ Film WavefrontRenderer::render(const RenderControl& control, WavefrontStats* sta
     const auto items = [&](Stage stage) -> std::uint64_t& {
         return stats.stages[static_cast<std::size_t>(stage)].items;
     };
-    items(Stage::Generate) = items(Stage::Accumulate) = items(Stage::Layers) = stats.paths;
+    items(Stage::Accumulate) = items(Stage::Layers) = stats.paths;
     stats.pathRays = items(Stage::Intersect);
     stats.shadowRays = items(Stage::Shadow);
     dropAbsent(stats, r.kernels);

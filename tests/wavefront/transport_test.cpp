@@ -1,5 +1,6 @@
 // Every integrator, strategy, hemisphere, pixel filter and camera against the reference: kernel by kernel from the
 // device's own state, and as films of the same random numbers.
+#include "reference/path.h"
 #include "reference/render.h"
 #include "registry.h"
 #include "scene/camera.h"
@@ -59,10 +60,12 @@ void expectParity(const SceneArrays& scene, const Choice& choice) {
     }
     EXPECT_EQ(renderer.validationMessages(), 0U);
     if (choice.integrator == IntegratorId::Cost) return;  // each renderer counts its own search
-    const Film film = renderer.render({}), reference = renderReference(scene, options);
-    EXPECT_LE(divergedShare(film, reference), 0.01);
-    EXPECT_EQ(film.refused + reference.refused, 0U);
-    for (std::size_t i = 0; i < film.sums.size(); ++i) ASSERT_EQ(film.sums[i].red.w, reference.sums[i].red.w) << i;
+    WavefrontStats stats;
+    const Film film = renderer.render({}, &stats), expected = renderReference(scene, options);
+    EXPECT_EQ(stats.stages.front().items, stats.paths * reference::PathTracer(scene, options).rounds());
+    EXPECT_LE(divergedShare(film, expected), 0.01);
+    EXPECT_EQ(film.refused + expected.refused, 0U);
+    for (std::size_t i = 0; i < film.sums.size(); ++i) ASSERT_EQ(film.sums[i].red.w, expected.sums[i].red.w) << i;
 }
 
 /// The lamps under a sky: its kernels are soon compiled.
