@@ -83,7 +83,7 @@ void StageWalk::compareQueue(Findings& findings, std::string_view name, std::vec
                              std::vector<std::uint32_t> expected) {
     std::ranges::sort(actual);
     std::ranges::sort(expected);
-    if (findings.holds(name, actual == expected, "does not hold each path once")) return;
+    findings.holds(name, actual == expected, "does not hold each path once");
 }
 
 /// Sums of paths that a stage has no business with stay as they are.
@@ -188,6 +188,14 @@ void StageWalk::miss(const StageSnapshot& now) {
     compareUntouched(f, now, touched);
 }
 
+/// Integrator cost: each renderer counts its own search; the film gets what kernel intersect has made of `throughput`.
+void StageWalk::compareCost(Findings& f, const DevicePaths::Place& place, const glm::vec3& emitted,
+                            const glm::vec3& throughput) const {
+    f.equal("cost", emitted, throughput);
+    const glm::vec3 counts = throughput / paths_.tracer().start(place.x, place.y, place.index).throughput;
+    f.holds("cost", counts.x > 0.99F && counts.y > 0.99F, "is below one node and one triangle");
+}
+
 void StageWalk::shade(const StageSnapshot& now) {
     Findings& f = of(Stage::Shade);
     const std::uint32_t bounce = now.batch.bounce;
@@ -198,12 +206,11 @@ void StageWalk::shade(const StageSnapshot& now) {
                         firstRay = before_.queueSize(bounce + 1, Queue::Ray);
     const auto where = scope(f, bounce);
     const std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-    std::vector<std::uint32_t> shadowOf_(now.batch.pathCount, none);
+    std::vector<std::uint32_t> itemOf(now.batch.pathCount, none);
     for (std::uint32_t item = firstItem; item < now.queueSize(bounce, Queue::Shadow); ++item) {
         const std::uint32_t path = shadowOf(now, item).path;
-        if (!f.holds("shadow items", path < now.batch.pathCount && shadowOf_[path] == none, "two of one path"))
-            continue;
-        shadowOf_[path] = item;
+        if (!f.holds("shadow items", path < now.batch.pathCount && itemOf[path] == none, "two of one path")) continue;
+        itemOf[path] = item;
     }
     std::vector<bool> goesOn(now.batch.pathCount), touched(now.batch.pathCount);
     for (const std::uint32_t path : now.queue(bounce + 1, Queue::Ray).subspan(firstRay)) {
@@ -214,18 +221,15 @@ void StageWalk::shade(const StageSnapshot& now) {
         f.at(path);
         touched[path] = true;
         DeviceVertex vertex{added(now, path, beginsSums(now)), {}, {}};
-        if (shadowOf_[path] != none) vertex.direct = shadowOf(now, shadowOf_[path]).light;
+        if (itemOf[path] != none) vertex.direct = shadowOf(now, itemOf[path]).light;
         if (goesOn[path]) vertex.next = paths_.stateOf(now, path, bounce + 1);
         if (bounce == 0) f.equal("alpha", alphaOf(now, path), 1U);
-        shadowOf_[path] = none;
+        itemOf[path] = none;
         goesOn[path] = false;
         const reference::PathState state = paths_.stateOf(before_, path, bounce);
         const reference::Hit hit = paths_.hitOf(before_, path);
-        if (countsSearch()) {  // each renderer its own: here the film gets what kernel intersect has counted
-            f.equal("cost", glm::vec3(vertex.emitted), state.throughput);
-            const DevicePaths::Place place = paths_.placeOf(now.batch, path);
-            const glm::vec3 counts = state.throughput / paths_.tracer().start(place.x, place.y, place.index).throughput;
-            f.holds("cost", counts.x > 0.99F && counts.y > 0.99F, "is below one node and one triangle");
+        if (countsSearch()) {
+            compareCost(f, paths_.placeOf(now.batch, path), glm::vec3(vertex.emitted), state.throughput);
             continue;
         }
         compareParts(f, name, partsOf(vertex), [&](Jitter* jitter) {
@@ -235,7 +239,7 @@ void StageWalk::shade(const StageSnapshot& now) {
     }
     for (std::uint32_t path = 0; path < now.batch.pathCount; ++path) {
         f.at(path);
-        f.holds("other paths", shadowOf_[path] == none && !goesOn[path], "one that met nothing goes on");
+        f.holds("other paths", itemOf[path] == none && !goesOn[path], "one that met nothing goes on");
     }
     compareUntouched(f, now, touched);
 }

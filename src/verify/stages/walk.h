@@ -42,6 +42,8 @@ private:
     [[nodiscard]] bool seesBackground() const;
     [[nodiscard]] bool countsSearch() const;
     [[nodiscard]] std::uint32_t groupOf(const reference::Hit& hit) const;
+    void compareCost(Findings& findings, const DevicePaths::Place& place, const glm::vec3& emitted,
+                     const glm::vec3& throughput) const;
     void compareUntouched(Findings& findings, const StageSnapshot& now, const std::vector<bool>& touched);
     [[nodiscard]] glm::dvec3 added(const StageSnapshot& now, std::uint32_t path, bool first) const;
     [[nodiscard]] Findings& of(Stage stage) { return findings_[static_cast<std::size_t>(stage)]; }
