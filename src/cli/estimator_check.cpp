@@ -48,6 +48,7 @@ std::vector<std::string> idleOptions(const SceneOptions& scene, const SamplingOp
         const char *option, *why;
     } cases[] = {
         {!light && s.maxDepth != by.maxDepth, "--max-depth", "without --integrator path or direct"},
+        {direct && s.maxDepth > 1 && s.maxDepth != by.maxDepth, "--max-depth above 1", "with --integrator direct"},
         {!path && roulette, "--rr", "without --integrator path"},
         {!light && s.strategy != by.strategy, "--strategy", "without --integrator path or direct"},
         {!light && s.beta != by.beta, "--beta", "without --integrator path or direct"},

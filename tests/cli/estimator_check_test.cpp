@@ -17,6 +17,9 @@ TEST(IdleOptions, ThereAreNoneAmongDefaults) {
         SamplingOptions sampling;
         sampling.integrator = integrator.id;
         EXPECT_THAT(idleOptions({}, sampling), IsEmpty()) << integrator.name;
+        if (integrator.id != IntegratorId::Path && integrator.id != IntegratorId::Direct) continue;
+        sampling.maxDepth = 1;
+        EXPECT_THAT(idleOptions({}, sampling), IsEmpty()) << integrator.name;
     }
 }
 
@@ -33,6 +36,8 @@ TEST(IdleOptions, AreToldWithWhatTheyNeed) {
         {[](auto&, auto& s) { s.aoDistance = 1; }, "--ao-distance has no effect without --integrator ao"},
         {[&](auto&, auto& s) { direct(s), s.clampIndirect = 1; },
          "--clamp-indirect has no effect without --integrator path"},
+        {[&](auto&, auto& s) { direct(s), s.maxDepth = 3; },
+         "--max-depth above 1 has no effect with --integrator direct"},
         {[&](auto&, auto& s) { direct(s), s.rrDepth = 1; }, "--rr has no effect without --integrator path"},
         {[](auto&, auto& s) { s.integrator = IntegratorId::Ao, s.maxDepth = 2; },
          "--max-depth has no effect without --integrator path or direct"},
