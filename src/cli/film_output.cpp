@@ -55,6 +55,13 @@ std::filesystem::path contactSheetFile(const OutputOptions& options, const char*
     return file.replace_filename(fmt::format("{}_{}.png", file.stem().string(), what));
 }
 
+void checkContactSheet(const OutputOptions& options, const char* what) {
+    const std::filesystem::path sheet = contactSheetFile(options, what);
+    if (std::ranges::find(options.files, sheet) != options.files.end())
+        throw usageError("--output", fmt::format("'{}' is what the contact sheet is called", sheet.string()));
+    checkWritable(sheet);
+}
+
 void writeFilm(const std::filesystem::path& file, const FilmRecord& record) {
     writeFileAtomically(file, encodeFilm(filmImages(record.film), record, true, imageMetadata(record)));
 }

@@ -27,6 +27,8 @@ void checkOutputs(const OutputOptions& options);
 
 /// Where the contact sheet of layers of light goes: beside the first file, "a.exr" and "bounces" make "a_bounces.png".
 [[nodiscard]] std::filesystem::path contactSheetFile(const OutputOptions& options, const char* what);
+/// Before the work: it can be written, and takes no other output's place. Throws Error (usage), FileError.
+void checkContactSheet(const OutputOptions& options, const char* what);
 inline constexpr const char *kBounceSheet = "bounces", *kLightSheet = "lights";
 
 /// Writes every file, and a contact sheet of each kind of layers of light that the film has. Each appears whole or not

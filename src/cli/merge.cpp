@@ -82,6 +82,9 @@ ExitCode runMerge(MergeCommand& c) {
     spdlog::info("samples {} of {}, out of {} files", rangesText(merged.film.ranges),
                  merged.settings.at("spp").get<std::uint32_t>(), c.files.size());
     warnOfFilm(merged);
+    const LightLayers& light = merged.film.layout.light();
+    if (light.lengths > 0) checkContactSheet(c.output, kBounceSheet);
+    if (!light.groups.empty()) checkContactSheet(c.output, kLightSheet);
     writeFilmFiles(merged, c.output);
     return ExitCode::Ok;
 }

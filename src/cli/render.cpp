@@ -53,14 +53,6 @@ void addRunOptions(CLI::App& app, RenderCommand& c) {
     addVerbosity(app, c.verbosity);
 }
 
-/// The contact sheet takes no other output's place.
-void checkSheet(const RenderCommand& c, const char* what) {
-    const fs::path sheet = contactSheetFile(c.output, what);
-    if (std::ranges::find(c.output.files, sheet) != c.output.files.end())
-        throw usageError("--output", fmt::format("'{}' is what the contact sheet is called", sheet.string()));
-    checkWritable(sheet);
-}
-
 /// What files there will be; faults of the options that ask for them.
 void settleOutputs(RenderCommand& c) {
     std::vector<fs::path>& files = c.output.files;
@@ -75,8 +67,8 @@ void settleOutputs(RenderCommand& c) {
     if (!c.output.film && (c.checkpoint || !c.resume.empty()))
         throw usageError("--no-film", "leaves nothing that --checkpoint could save or --resume go on from");
     checkOutputs(c.output);
-    if (c.sampling.perBounce) checkSheet(c, kBounceSheet);
-    if (c.sampling.lightGroups.on) checkSheet(c, kLightSheet);
+    if (c.sampling.perBounce) checkContactSheet(c.output, kBounceSheet);
+    if (c.sampling.lightGroups.on) checkContactSheet(c.output, kLightSheet);
     if (!c.stats.empty()) checkWritable(c.stats);
 }
 

@@ -111,6 +111,10 @@ TEST_F(Merge, LayersOfLightMergeAndHaveContactSheets) {
     part({"--samples", "3:8", "-o", "b.exr"});
     part({"--resume", "r.exr", "--samples", "0:3"});
     ASSERT_EQ(run({"merge", "b.exr", "r.exr", "-o", "m.exr"}).code, 0);
+    const RunResult taken = run({"merge", "b.exr", "r.exr", "-o", "n.exr", "-o", "n_lights.png"});
+    EXPECT_EQ(taken.code, 64);
+    EXPECT_THAT(taken.err, HasSubstr("'n_lights.png' is what the contact sheet is called"));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "n_lights.png"));
     part({"--resume", "r.exr"});
     for (const char* suffix : {".exr", "_bounces.png", "_lights.png"}) {
         expectSameFile(std::string("m") + suffix, std::string("whole") + suffix);
