@@ -23,7 +23,8 @@ using reference::PathTally;
 using reference::PathTracer;
 
 constexpr std::uint32_t kTile = 16;
-constexpr std::uint64_t kPathsPerPass = 1U << 18U;  // a few tenths of a second: how promptly a stop is heard
+/// Of a pass, after which a stop is heard: some tenths of a second. A frame of more pixels has one sample a pass.
+constexpr std::uint64_t kPathsPerPass = 1U << 18U;
 
 void check(const RenderOptions& options) {
     const RenderParams& params = options.params;
