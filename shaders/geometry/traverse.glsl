@@ -68,7 +68,7 @@ Hit walkTree(vec3 origin, vec3 d, float tMax, AlphaKey key, bool anyHit) {
     setRay(s, origin, d);
     uvec2 stack[kStackSize];
     uint depth = 0u, meshDepth = 0u, instance = 0u;
-    bool inMesh = kHasInstances == 0u;
+    bool inMesh = false;   // looked at only where there are instances: drivers do not find that it never changes
     uvec2 nodes = uvec2(scene.rootNode, 0x80000000u);   // first child, bits of the children still to visit
     uvec2 items = uvec2(0u);                            // first item, bits of the items still to test
     for (;;) {
@@ -86,7 +86,7 @@ Hit walkTree(vec3 origin, vec3 d, float tMax, AlphaKey key, bool anyHit) {
         if (items.y != 0u) {
             uint item = items.x + uint(findLSB(items.y));
             items.y &= items.y - 1u;
-            if (inMesh) {
+            if (kHasInstances == 0u || inMesh) {
                 if (kIntegrator == kIntegratorCost) ++searchCost.y;
                 if (testTriangle(s.sheared, s.hit, loadTriangle(item), item, instance, key) && anyHit) break;
             } else {
@@ -109,7 +109,7 @@ Hit walkTree(vec3 origin, vec3 d, float tMax, AlphaKey key, bool anyHit) {
             }
             if (depth == 0u) break;
             uvec2 top = stack[--depth];
-            if (top.y > 0x00ffffffu) nodes = top;
+            if (kHasInstances == 0u || top.y > 0x00ffffffu) nodes = top;
             else items = top;
         }
     }
