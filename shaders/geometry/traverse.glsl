@@ -13,7 +13,30 @@ struct AlphaKey {
     uint bits;   // hash of pixel, sample, seed and 2 bounce + kind
 };
 
-const uint kStackSize = 32u;
+// What is left to visit above: children not yet opened, or items not yet tested. Where invocations run in lockstep on a
+// CPU, an index that differs between them costs a scalar access each, and all slots of a shallow stack cost less.
+const bool kStackSelected = kStackEntries <= 12u;
+uvec2 stack[kStackEntries];
+uint stackDepth;
+
+void pushIf(bool wanted, uvec2 entry) {
+    if (kStackSelected) {
+        [[unroll]] for (uint i = 0u; i < kStackEntries; ++i)
+            if (wanted && stackDepth == i) stack[i] = entry;
+        stackDepth += wanted ? 1u : 0u;
+    } else if (wanted) {
+        stack[stackDepth++] = entry;
+    }
+}
+
+uvec2 pop() {
+    --stackDepth;
+    if (!kStackSelected) return stack[stackDepth];
+    uvec2 top = stack[0];
+    [[unroll]] for (uint i = 1u; i < kStackEntries; ++i)
+        if (stackDepth == i) top = stack[i];
+    return top;
+}
 
 uvec2 searchCost = uvec2(0u);   // integrator cost: nodes opened, triangles tested
 
@@ -66,8 +89,8 @@ Hit walkTree(vec3 origin, vec3 d, float tMax, AlphaKey key, bool anyHit) {
     Traversal s;
     s.hit = Hit(tMax, 0.0, 0.0, kNone, 0u, 0u);
     setRay(s, origin, d);
-    uvec2 stack[kStackSize];
-    uint depth = 0u, meshDepth = 0u, instance = 0u;
+    stackDepth = 0u;
+    uint meshDepth = 0u, instance = 0u;
     bool inMesh = false;   // looked at only where there are instances: drivers do not find that it never changes
     uvec2 nodes = uvec2(scene.rootNode, 0x80000000u);   // first child, bits of the children still to visit
     uvec2 items = uvec2(0u);                            // first item, bits of the items still to test
@@ -76,7 +99,7 @@ Hit walkTree(vec3 origin, vec3 d, float tMax, AlphaKey key, bool anyHit) {
             uint bit = uint(findMSB(nodes.y)), slot = (bit - 24u) ^ s.slab.octant;
             uint node = nodes.x + bitCount(nodes.y & ((1u << slot) - 1u) & 0xffu);
             nodes.y &= ~(1u << bit);
-            if (nodes.y > 0x00ffffffu) stack[depth++] = nodes;
+            pushIf(nodes.y > 0x00ffffffu, nodes);
             WideNode n = loadNode(node);
             if (kIntegrator == kIntegratorCost) ++searchCost.x;
             uint hits = intersectNode(s.slab, n, s.hit.t);
@@ -90,25 +113,25 @@ Hit walkTree(vec3 origin, vec3 d, float tMax, AlphaKey key, bool anyHit) {
                 if (kIntegrator == kIntegratorCost) ++searchCost.y;
                 if (testTriangle(s.sheared, s.hit, loadTriangle(item), item, instance, key) && anyHit) break;
             } else {
-                if (nodes.y > 0x00ffffffu) stack[depth++] = nodes;
-                if (items.y != 0u) stack[depth++] = items;   // the group's other instances come after this one
+                pushIf(nodes.y > 0x00ffffffu, nodes);
+                pushIf(items.y != 0u, items);   // the group's other instances come after this one
                 InstanceRecord r = loadInstance(item);
                 setRay(s, transformPoint(r.objectFromWorld, origin), transformVector(r.objectFromWorld, d));
                 instance = item;
                 inMesh = true;
-                meshDepth = depth;
+                meshDepth = stackDepth;
                 nodes = uvec2(r.rootNode, 0x80000000u);
                 items = uvec2(0u);
             }
         }
         if (items.y == 0u && nodes.y <= 0x00ffffffu) {
-            if (kHasInstances != 0u && inMesh && depth == meshDepth) {
+            if (kHasInstances != 0u && inMesh && stackDepth == meshDepth) {
                 inMesh = false;
                 instance = 0u;
                 setRay(s, origin, d);
             }
-            if (depth == 0u) break;
-            uvec2 top = stack[--depth];
+            if (stackDepth == 0u) break;
+            uvec2 top = pop();
             if (kHasInstances == 0u || top.y > 0x00ffffffu) nodes = top;
             else items = top;
         }

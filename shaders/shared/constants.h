@@ -20,6 +20,7 @@ VKPT_CONST uint kTriangleGroupShift = 4u;     // the shade group of its material
 VKPT_CONST uint kTriangleGroupMask = 3u;
 VKPT_CONST uint kTriangleMaterialShift = 8u;  // material index above
 VKPT_CONST uint kListMax = 64u;               // triangles of the longest list that kernels search whole
+VKPT_CONST uint kMaxStackEntries = 31u;       // of a walk of the tree: buildBvh keeps to it
 
 // MaterialRecord.flags
 VKPT_CONST uint kMaterialAlphaMask = 1u;   // alphaMode MASK

@@ -158,16 +158,19 @@ private:
             std::max(meshes.bytes() + top.bytes() + order, order + triangles * sizeof(TriangleRecord));
     }
 
-    /// Sizes arrays.nodes: the top level first, then mesh after mesh. Returns each mesh's root.
+    /// Sizes arrays.nodes and notes their depth: the top level first, then mesh after mesh. Returns each mesh's root.
     std::vector<std::uint32_t> layOut(const Forests& meshes, const Forests& top) {
         std::uint32_t next = top.trees() != 0 ? top.summary(0).wideNodes : 0;
+        std::uint32_t meshDepth = 0;
         std::vector<std::uint32_t> roots;
         for (std::size_t m = 0; m < meshes.trees(); ++m) {
             roots.push_back(next);
+            meshDepth = std::max(meshDepth, meshes.summary(m).depth);
             next += meshes.summary(m).wideNodes;
         }
         arrays_.nodes.resize(next);
         arrays_.rootNode = 0;
+        arrays_.bvhDepth = meshDepth + (top.trees() != 0 ? top.summary(0).depth : 0);
         return roots;
     }
 

@@ -35,11 +35,11 @@ struct BvhStats {
 /// Builds a tree over each MeshRange and, where there are instances, a top-level tree over those. Parallel (oneTBB, the
 /// caller's arena); the result does not depend on the number of threads.
 ///
-/// Fills arrays.nodes and arrays.rootNode, which is 0. Puts triangles in leaf order within their range, and instances
-/// (with instanceMesh and their rootNode) in leaf order, those of empty meshes last and in no leaf. Points each
-/// triangle light at its triangle's new place. A mesh without triangles, and an empty scene, get one node of empty
-/// slots. Triangles with a corner that is not finite, or beyond 1e37, cannot be met and are kept in an arbitrary leaf.
-/// Mesh ranges must be disjoint; without instances only meshRanges[0] is reachable.
+/// Fills arrays.nodes, arrays.bvhDepth and arrays.rootNode, which is 0. Puts triangles in leaf order within their
+/// range, and instances (with instanceMesh and their rootNode) in leaf order, those of empty meshes last and in no
+/// leaf. Points each triangle light at its triangle's new place. A mesh without triangles, and an empty scene, get one
+/// node of empty slots. Triangles with a corner that is not finite, or beyond 1e37, cannot be met and are kept in an
+/// arbitrary leaf. Mesh ranges must be disjoint; without instances only meshRanges[0] is reachable.
 void buildBvh(SceneArrays& arrays, const BvhConfig& config = {}, BvhStats* stats = nullptr);
 
 }  // namespace vkpt

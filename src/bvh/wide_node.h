@@ -29,10 +29,11 @@ inline constexpr std::uint32_t kWideNodeSlots = 8;
 
 /// Levels of nodes a path from the root can cross: top level, one mesh, both together. buildBvh keeps to them.
 /// A traversal that stacks one entry (the slots not yet visited) a level, and one for the instances not yet visited
-/// of the top-level node it left, needs at most kMaxBvhDepth entries.
+/// of the top-level node it left, needs one entry less than the levels, at most kMaxBvhDepth - 1.
 inline constexpr std::uint32_t kMaxTopDepth = 10;
 inline constexpr std::uint32_t kMaxMeshDepth = 22;
 inline constexpr std::uint32_t kMaxBvhDepth = kMaxTopDepth + kMaxMeshDepth;
+static_assert(kMaxBvhDepth - 1 <= kMaxStackEntries);
 
 struct Box {
     glm::vec3 lo{0}, hi{0};

@@ -17,8 +17,8 @@ SceneHashes hashScene(const SceneArrays& arrays) {
     // Names every member, so that a new one does not compile until it is hashed or known to be derived.
     const auto& [triangles, vertices, vertexExtras, meshRanges, instances, instanceMesh, materials, bsdfs, albedoTables,
                  textures, texels, lights, lightCdf, lightPower, envTexels, envRows, envColumns, envWidth, envHeight,
-                 envLight, envRotation, nodes, rootNode, boundsMin, boundsMax, features, objectNames, materialNames,
-                 punctualNames, lightGroups, droppedTriangles, droppedInstances] = arrays;
+                 envLight, envRotation, nodes, rootNode, bvhDepth, boundsMin, boundsMax, features, objectNames,
+                 materialNames, punctualNames, lightGroups, droppedTriangles, droppedInstances] = arrays;
     SceneHashes hashes;
     hashes.geometry = ContentHash()
                           .add(triangles)

@@ -67,6 +67,7 @@ struct SceneArrays {
     float envRotation = 0;                 ///< radians about +y
     std::vector<WideNode> nodes;           ///< filled by buildBvh
     std::uint32_t rootNode = 0;            ///< root of the top level, or of the only level
+    std::uint32_t bvhDepth = 0;            ///< levels of nodes, top level and deepest mesh together; by buildBvh
     glm::vec3 boundsMin{0}, boundsMax{0};  ///< world space, of everything
     SceneFeatures features;
     std::vector<std::string> objectNames, materialNames;

@@ -18,7 +18,8 @@ ProbeScene::ProbeScene(Prober& prober, const SceneArrays& arrays, const RenderPa
       features_(arrays.features),
       sampler_(sampler),
       lastIndex_(lastIndex),
-      listTriangles_(listTriangles(arrays, params.integrator)) {
+      listTriangles_(listTriangles(arrays, params.integrator)),
+      stackEntries_(stackEntries(arrays)) {
     Device& device = prober.device();
     const SceneLayout layout = planScene(arrays, sampler, lastIndex);
     header_ = layout.header;
@@ -39,7 +40,8 @@ ProbeOptions ProbeScene::options(Fetch form) const {
                                               {.sampler = sampler_,
                                                .lastIndex = lastIndex_,
                                                .fetchTexel = texel,
-                                               .listTriangles = texel ? listTriangles_ : 0});
+                                               .listTriangles = texel ? listTriangles_ : 0,
+                                               .stackEntries = texel ? stackEntries_ : kMaxStackEntries});
     options.extraKinds = {BindingKind::UniformBuffer, BindingKind::StorageBuffer, BindingKind::StorageTexel};
     options.extra = {frame_, texel ? dummy_ : scene_, texel ? sceneTexels_ : dummyTexels_};
     return options;

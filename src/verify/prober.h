@@ -80,7 +80,7 @@ private:
     Prober& prober_;
     SceneFeatures features_;
     SamplerChoice sampler_;
-    std::uint32_t lastIndex_, listTriangles_;
+    std::uint32_t lastIndex_, listTriangles_, stackEntries_;
     SceneHeader header_;
     Buffer frame_, scene_, dummy_;
     TexelView sceneTexels_, dummyTexels_;

@@ -72,7 +72,8 @@ std::vector<std::uint32_t> specializationOf(const SceneFeatures& f, const SceneH
             options.film.lengthWord(),
             std::max(options.film.light().lengths, 1U),
             options.film.groupWord(),
-            options.listTriangles};
+            options.listTriangles,
+            options.stackEntries};
 }
 
 std::uint32_t listTriangles(const SceneArrays& arrays, std::uint32_t integrator) {
@@ -80,6 +81,8 @@ std::uint32_t listTriangles(const SceneArrays& arrays, std::uint32_t integrator)
     const bool showsTree = integrator == static_cast<std::uint32_t>(IntegratorId::Cost);
     return listed && !showsTree ? static_cast<std::uint32_t>(arrays.triangles.size()) : 0;
 }
+
+std::uint32_t stackEntries(const SceneArrays& arrays) { return std::max(arrays.bvhDepth, 2U) - 1; }
 
 bool needsNoBsdf(std::uint32_t integrator) {
     switch (static_cast<IntegratorId>(integrator)) {

@@ -30,7 +30,8 @@ struct KernelOptions {
     std::uint32_t lastIndex = ~0U;  ///< the highest sample index they may meet
     std::uint32_t setSamples = 0;   ///< N, where the sampler's points depend on it; 0: read it when they run
     bool fetchTexel = false, useBallot = false, stateTexel = false;
-    std::uint32_t listTriangles = 0;  ///< 0: the tree is walked
+    std::uint32_t listTriangles = 0;                ///< 0: the tree is walked
+    std::uint32_t stackEntries = kMaxStackEntries;  ///< of the tree's walk
     FilmLayout film{};
     RenderParams params = defaultParams();  ///< integrator, strategy, hemisphere and camera
 };
@@ -41,6 +42,9 @@ struct KernelOptions {
 /// How many triangles kernels test one after the other; 0 where they walk the tree: of more than kListMax, of alpha or
 /// instances, and for integrator cost, which shows the tree.
 [[nodiscard]] std::uint32_t listTriangles(const SceneArrays& arrays, std::uint32_t integrator);
+
+/// How many entries the stack of a walk of the tree needs (bvh/wide_node.h). Requires buildBvh.
+[[nodiscard]] std::uint32_t stackEntries(const SceneArrays& arrays);
 
 /// Values of the constants of shaders/specialization.glsl, by constant_id.
 [[nodiscard]] std::vector<std::uint32_t> specializationOf(const SceneFeatures& features, const SceneHeader& header,

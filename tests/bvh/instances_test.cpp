@@ -87,6 +87,7 @@ TEST(BvhInstances, EveryPlacedMeshIsInOneLeafAndPointsAtItsTree) {
         meshDepth = std::max(meshDepth, checkMesh(arrays, instance.rootNode, range).depth);
     }
     EXPECT_EQ(stats.depth, top.depth + meshDepth);
+    EXPECT_EQ(arrays.bvhDepth, stats.depth);
     EXPECT_LE(stats.depth, kMaxBvhDepth);
 }
 

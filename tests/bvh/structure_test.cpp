@@ -20,6 +20,7 @@ TEST(BvhStructure, HoldsEveryTriangleOnceInBoxesThatContainIt) {
         const TreeCheck check = checkMesh(arrays, arrays.rootNode, arrays.meshRanges[0]);
         EXPECT_EQ(check.nodes, arrays.nodes.size());
         EXPECT_EQ(check.depth, stats.depth);
+        EXPECT_EQ(check.depth, arrays.bvhDepth);
         EXPECT_LE(check.depth, kMaxMeshDepth);
     }
 }

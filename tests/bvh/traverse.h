@@ -92,7 +92,7 @@ private:
         std::vector<Entry> stack{{root, 0}};
         ++visits_;
         while (!stack.empty()) {
-            ASSERT_LE(used + stack.size(), std::size_t{kMaxBvhDepth});
+            ASSERT_LE(used + stack.size(), std::size_t{arrays_.bvhDepth});
             Entry& entry = stack.back();
             if (entry.visited == kWideNodeSlots) {
                 stack.pop_back();

@@ -35,6 +35,16 @@ TEST(Renderer, ListAndTreeGiveTheSameFilmToTheBit) {  // where there is a list, 
     EXPECT_TRUE(fetchFormsAgree(arrays, options));
 }
 
+TEST(Renderer, ShallowAndDeepStacksGiveTheSameFilmToTheBit) {
+    for (const bool instances : {false, true}) {
+        SceneArrays arrays = makeEverything(instances);
+        const RenderOptions options = makeOptions(48, 32, 4);
+        const Film film = renderWith(arrays, options, makeConfig());
+        arrays.bvhDepth = kMaxStackEntries + 1;
+        EXPECT_TRUE(isSame(film, renderWith(arrays, options, makeConfig())));
+    }
+}
+
 TEST(Renderer, OnlyFewTrianglesAreListed) {
     const std::uint32_t path = makeOptions(1, 1, 1).params.integrator;
     EXPECT_EQ(listTriangles(makeEverything(), path), 0U) << "alpha";

@@ -23,7 +23,7 @@ std::uint32_t expectedBeta(const RenderParams& p) {
 }
 
 /// All constants by name, in the order in which the probe writes them.
-std::array<Named, 45> namesAndValues(const Constants& c) {
+std::array<Named, 46> namesAndValues(const Constants& c) {
     const auto& [f, h, o] = c;
     const auto flag = [](bool b) { return b ? 1U : 0U; };
     return {Named{"kSampler", static_cast<std::uint32_t>(o.sampler.id)},
@@ -70,7 +70,8 @@ std::array<Named, 45> namesAndValues(const Constants& c) {
             {"kLengthWord", o.film.lengthWord()},
             {"kLengthLayers", std::max(o.film.light().lengths, 1U)},
             {"kGroupWord", o.film.groupWord()},
-            {"kListTriangles", o.listTriangles}};
+            {"kListTriangles", o.listTriangles},
+            {"kStackEntries", o.stackEntries}};
 }
 
 /// Round `bit` of a set in which no two flags are the same in all rounds; the numbers differ in any.
@@ -92,6 +93,7 @@ Constants makeConstants(std::uint32_t bit) {
     o.lastIndex = 0xabc;  // three hexadecimal digits
     o.setSamples = 77;
     o.listTriangles = 21;
+    o.stackEntries = 19;
     if (bit % 2 == 0) o.film = FilmLayout(kAllAovs, {7, {"a", "b"}});
     RenderParams& p = o.params;
     p.integrator = static_cast<std::uint32_t>(bit % 2 == 0 ? IntegratorId::Direct : IntegratorId::LightProbability);
