@@ -6,7 +6,9 @@
 
 #include "registry.h"
 #include "scene_files.h"
-#include "verify/images/path_differences.h"
+#include "verify/context.h"
+#include "verify/findings.h"
+#include "verify/images.h"
 
 namespace vkpt {
 namespace {
@@ -48,6 +50,20 @@ TEST_P(Parity, FewPixelsPartAndTheMeanDoesNot) {
     for (int c = 0; c < 3; ++c) {
         EXPECT_GT(d.mean(c), 0) << "the image is black: nothing is compared";
         EXPECT_LE(d.meanShare(c), 1) << "channel " << c << " is off by " << d.meanDifference(c);
+    }
+}
+
+/// With all bounces, some of which magnify rounding: few paths part but those of which it decides.
+TEST(FullParity, PathsAgreeAsVerifyJudgesThem) {
+    for (const std::string& scene : sceneNames()) {
+        SCOPED_TRACE(scene);
+        const PreparedScene prepared = prepare(scene, {"--size", "128x72", "--spp", "4"});
+        VerifyContext context(prepared.arrays, prepared.options, {});
+        Findings findings;
+        checkSameSeed(context, findings);
+        EXPECT_TRUE(findings.refusal().empty()) << findings.refusal();
+        if (const auto& d = findings.disagreement())
+            ADD_FAILURE() << d->quantity << ": " << d->what << "\n" << d->where;
     }
 }
 

@@ -123,6 +123,20 @@ TEST(PathDifferences, CountWhatIsOffByMoreThanAThousandth) {
     EXPECT_NEAR(d.partedSize(), 0.01 / (6.0105 / 4), 1e-5);
 }
 
+TEST(PathDifferences, ExcuseWhatPartsInATwinOfTheReferenceToo) {
+    PathDifferences d;
+    const std::vector<Film> twins = {grey({1.01F, 2, 3, 4}), grey({1, 2, 2.9F, 4})};
+    d.add(grey({1.1F, 2.01F, 3.5F, 4}), grey({1, 2, 3, 4}), twins);
+    EXPECT_EQ(d.parted(), 3U);
+    EXPECT_EQ(d.excused(), 2U);
+    ASSERT_TRUE(d.worst());
+    EXPECT_EQ(d.worst()->x, 1U) << "an excused path is off by more, but this one tells of a fault";
+    PathDifferences none;
+    none.add(grey({1.1F, 1}), grey({1, 1}), std::vector<Film>{grey({1.2F, 1})});
+    ASSERT_TRUE(none.worst()) << "where all are excused there still is a place to name";
+    EXPECT_TRUE(none.worst()->excused);
+}
+
 TEST(PathDifferences, AShiftOfTheMeanIsMoreThanThreeStandardErrors) {
     PathDifferences shifted, noisy;
     std::vector<float> a(1000), b(1000), c(1000);

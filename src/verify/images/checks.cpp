@@ -7,8 +7,6 @@
 namespace vkpt {
 namespace {
 
-constexpr double kMostPartedASegment = 0.0025;  ///< share of paths: rounding grows from bounce to bounce
-
 std::string_view channelName(std::uint32_t channel) { return std::string_view("RGB").substr(channel, 1); }
 
 /// Where and at which vertex a path parts.
@@ -50,10 +48,14 @@ void checkSameSeed(VerifyContext& context, Findings& f) {
     f.tally("paths", d.paths(), d.parted());
     f.figure("paths that part", d.partedShare(), fmt::format("{:.4f} %", 100 * d.partedShare()));
     f.figure("their mean difference", d.partedSize(), fmt::format("{:.2f} of the mean", d.partedSize()));
-    const double most = kMostPartedASegment * (pathDepth(context.options().params) + 1);
-    if (d.partedShare() > most && d.worst())
+    if (d.excused() > 0)
+        f.figure("of them by rounding", d.excusedShare(), fmt::format("{:.4f} %", 100 * d.excusedShare()));
+    const double most = PathDifferences::mostParted(context.options().params),
+                 unexcused = d.partedShare() - d.excusedShare();
+    if (unexcused > most && d.worst())
         f.disagree("paths that part", locate(context, *d.worst()),
-                   fmt::format("{:.3f} % where {} % are allowed", 100 * d.partedShare(), 100 * most));
+                   fmt::format("{:.3f} % where {} % are allowed", 100 * unexcused, 100 * most));
+    f.atMost("share of paths that rounding decides", d.excusedShare(), PathDifferences::kMostExcused);
     for (int c = 0; c < 3; ++c) {
         const double relative = d.mean(c) == 0 ? 0 : d.meanDifference(c) / d.mean(c);
         f.figure(fmt::format("mean difference {}", channelName(static_cast<std::uint32_t>(c))), relative,
