@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "analysis/bsdf_sphere.h"
 #include "analysis/sphere_quadrature.h"
 #include "compare/false_color.h"
-#include "plot/pixels.h"
 
 namespace vkpt {
 namespace {
@@ -118,7 +118,7 @@ void drawHemisphere(Drawing& d, const BsdfDouble& b, double x, double y, double 
         const glm::vec3 c = values[i] < 0 ? glm::vec3(1) : falseColor(static_cast<float>(1 + decades / 4));
         std::copy_n(&c.x, 3, image.pixels.data() + 3 * i);
     }
-    drawImage(d, image, x, y, side);
+    d.picture(x, y, side, std::move(image));
     d.text(x, y + side + 16, fmt::format("from 45 degrees (left): f cos, 4 decades to {:.3g}", top), 12);
 }
 
@@ -146,8 +146,8 @@ Drawing drawBsdfs(const std::vector<PicturedBsdf>& bsdfs) {
         y += kHeading / 2;
         constexpr std::uint32_t kPixels = 120, kSamples = 128;
         drawHemisphere(d, p.bsdf->seenFrom<double>(true), kSpace, y, kPicture);
-        drawImage(d, renderBsdfSphere(p.bsdf->spec(), p.multiscatter, kPixels, kSamples), 2 * kSpace + kPicture + 100,
-                  y, kPicture);
+        d.picture(2 * kSpace + kPicture + 100, y, kPicture,
+                  renderBsdfSphere(p.bsdf->spec(), p.multiscatter, kPixels, kSamples));
         y += kPicture + kHeading / 2 + kSpace;
     }
     return d;

@@ -10,7 +10,6 @@
 #include "base/math.h"
 #include "compare/false_color.h"
 #include "film/tonemap.h"
-#include "plot/pixels.h"
 
 namespace vkpt {
 namespace {
@@ -112,17 +111,17 @@ Drawing drawEnvironment(const std::string& name, const SceneArrays& e, const std
     double y = kMargin + kCaption;
     const auto title = [&](const std::string& text) { d.text(kMargin, y - 6, text, 12); };
     title(fmt::format("{}, {}x{}", name, e.envWidth, e.envHeight));
-    drawImage(d, developed(cells, columns, rows, 0.4), kMargin, y, kWidth);
+    d.picture(kMargin, y, kWidth, developed(cells, columns, rows, 0.4));
     y += height + kMargin + kCaption;
     title("scalar importance: luminance x sin(theta), four decades");
-    drawImage(d, decades(importance, columns, importance.size()), kMargin, y, kWidth);
+    d.picture(kMargin, y, kWidth, decades(importance, columns, importance.size()));
     drawMarginal(d, e, 2 * kMargin + kWidth, y, height);
     y += height + kMargin + kCaption;
     title("conditional density of the columns: every row by itself, four decades below its peak");
-    drawImage(d, decades(importance, columns, columns), kMargin, y, kWidth);
+    d.picture(kMargin, y, kWidth, decades(importance, columns, columns));
     y += height + kMargin + kCaption;
     title(fmt::format("where {} samples fall", places.size()));
-    drawImage(d, developed(cells, columns, rows, 0.15), kMargin, y, kWidth);
+    d.picture(kMargin, y, kWidth, developed(cells, columns, rows, 0.15));
     for (const glm::dvec2& place : places) {
         d.circle(kMargin + place.x * kWidth, y + place.y * height, 2.4, kBlack);
         d.circle(kMargin + place.x * kWidth, y + place.y * height, 1.7, inkOf(1));

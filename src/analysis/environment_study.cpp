@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <mutex>
 #include <numbers>
 
 #include "analysis/environment_pictures.h"
@@ -85,10 +86,18 @@ Measures measureRow(const reference::Environment& environment, std::uint32_t row
     return m;
 }
 
-Measures measure(const SceneArrays& arrays, const reference::Environment& environment) {
-    std::vector<Measures> rows(arrays.envHeight);
+Measures measure(const SceneArrays& arrays, const reference::Environment& environment,
+                 const std::function<void(std::uint64_t, std::uint64_t)>& progress) {
+    const std::uint64_t width = arrays.envWidth, height = arrays.envHeight;
+    std::vector<Measures> rows(height);
+    std::uint64_t done = 0;
+    std::mutex telling;
+    if (progress) progress(0, width * height);
     tbb::parallel_for(std::uint32_t{0}, arrays.envHeight, [&](std::uint32_t row) {
         rows[row] = measureRow(environment, row, arrays.envWidth, arrays.envHeight);
+        const std::scoped_lock lock(telling);
+        ++done;
+        if (progress) progress(width * done, width * height);
     });
     Measures whole;
     for (const Measures& row : rows) whole.add(row);
@@ -150,7 +159,7 @@ Study studyEnvironment(const EnvironmentStudyRequest& request) {
     if (!arrays.features.environment)
         throw Error(ExitCode::Usage, request.name + ": is black: there is nothing to draw from");
     const reference::Environment environment(arrays);
-    const Measures measures = measure(arrays, environment);
+    const Measures measures = measure(arrays, environment, request.progress);
     const auto places = drawPlaces(environment, request);
     Study study{jsonOf(request, arrays, measures, places), tableOf(request, measures), {}};
     if (request.picture) study.drawing = drawEnvironment(request.name, arrays, places);

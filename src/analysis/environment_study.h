@@ -1,5 +1,7 @@
 // An environment map as a light: where its importance lies, where samples fall, what that gains. Shown by `vkpt env`.
 #pragma once
+#include <cstdint>
+#include <functional>
 #include <string>
 
 #include "analysis/studies.h"
@@ -13,6 +15,8 @@ struct EnvironmentStudyRequest {
     SamplerChoice sampler;
     std::uint32_t count = 256, seed = 0;  ///< directions that are drawn and shown
     bool picture = true;
+    std::function<void(std::uint64_t done, std::uint64_t total)>
+        progress;  ///< texels; 0, then each row, one call at a time
 };
 
 /// Sizes, density and the variance of one sample, by importance and uniform over the sphere, of three integrals: light

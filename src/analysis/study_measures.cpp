@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "analysis/convergence.h"
 #include "analysis/discrepancy.h"
@@ -35,16 +36,16 @@ Json starJson(const StarDiscrepancy& star) {
             {"closed", star.closed}};
 }
 
-/// Grey levels of a spectrum, white at twice the power of random points, in cells of a panel.
+/// Grey levels of a spectrum, white at twice the power of random points and at frequency zero, which says nothing.
 void drawSpectrum(Drawing& drawing, const Panel& panel, const std::string& name, const Spectrum& spectrum) {
-    const double cell = panel.side / spectrum.side();
-    for (int fy = -spectrum.extent; fy <= spectrum.extent; ++fy)
-        for (int fx = -spectrum.extent; fx <= spectrum.extent; ++fx) {
-            if (fx == 0 && fy == 0) continue;
-            const auto level = static_cast<float>(std::sqrt(std::clamp(spectrum.at(fx, fy) / 2, 0.0, 1.0)));
-            drawing.box(panel.x + (fx + spectrum.extent) * cell, panel.y + (fy + spectrum.extent) * cell, cell + 0.02,
-                        cell + 0.02, {level, level, level});
-        }
+    const auto side = static_cast<std::uint32_t>(spectrum.side());
+    Image image(side, side, 3);
+    for (std::size_t i = 0; i < spectrum.power.size(); ++i) {
+        const bool zero = i == spectrum.power.size() / 2;
+        const double level = zero ? 1 : std::sqrt(std::clamp(spectrum.power[i] / 2, 0.0, 1.0));
+        std::fill_n(image.pixels.data() + 3 * i, 3, static_cast<float>(level));
+    }
+    drawing.picture(panel.x, panel.y, panel.side, std::move(image));
     drawing.frame(panel.x, panel.y, panel.side, panel.side, 1, kGrey);
     drawing.text(panel.x, panel.y - 7, name, 12);
 }

@@ -10,8 +10,6 @@
 namespace vkpt {
 namespace {
 
-constexpr const char* kWipe = "\r\x1b[K";  // to the line's start, then clear to its end
-
 std::string clockTime(double seconds) {
     const auto s = static_cast<std::uint64_t>(std::ceil(seconds));
     return s < 3600 ? fmt::format("{}:{:02}", s / 60, s % 60)
@@ -20,23 +18,23 @@ std::string clockTime(double seconds) {
 
 }  // namespace
 
-std::string progressLine(std::uint64_t done, std::uint64_t total, double seconds, int width) {
+std::string progressLine(std::uint64_t done, std::uint64_t total, double seconds, int width, std::string_view unit) {
     const double share = total == 0 ? 1.0 : std::min(1.0, static_cast<double>(done) / static_cast<double>(total));
     const auto filled = static_cast<std::size_t>(share * width);
     std::string line = fmt::format("[{}{}] {:3.0f} %", std::string(filled, '#'),
                                    std::string(static_cast<std::size_t>(width) - filled, '.'), std::floor(100 * share));
     if (done == 0 || seconds <= 0) return line;
     const double rate = static_cast<double>(done) / seconds;
-    line += fmt::format("  {:.2f} M paths/s", rate * 1e-6);
+    line += fmt::format("  {:.2f} M {}/s", rate * 1e-6, unit);
     if (done < total) line += fmt::format("  {} left", clockTime(static_cast<double>(total - done) / rate));
     return line;
 }
 
-ProgressBar::ProgressBar(bool enabled)
-    : enabled_(enabled && ::isatty(STDERR_FILENO) == 1), start_(Clock::now()), last_(start_) {}
+ProgressBar::ProgressBar(bool enabled, std::string_view unit)
+    : enabled_(enabled && ::isatty(STDERR_FILENO) == 1), unit_(unit), start_(Clock::now()), last_(start_) {}
 
 ProgressBar::~ProgressBar() {
-    if (shown_) std::fputs(kWipe, stderr);
+    if (shown_) std::fputs(kWipeLine, stderr);
 }
 
 void ProgressBar::update(std::uint64_t done, std::uint64_t total) {
@@ -45,7 +43,7 @@ void ProgressBar::update(std::uint64_t done, std::uint64_t total) {
     last_ = now;
     shown_ = true;
     const double seconds = std::chrono::duration<double>(now - start_).count();
-    std::fputs((kWipe + progressLine(done, total, seconds)).c_str(), stderr);
+    std::fputs((kWipeLine + progressLine(done, total, seconds, kBarWidth, unit_)).c_str(), stderr);
     std::fflush(stderr);
 }
 

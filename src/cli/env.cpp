@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "analysis/environment_study.h"
+#include "base/progress.h"
 #include "cli/command.h"
 #include "cli/options.h"
 #include "cli/scene_setup.h"
@@ -34,6 +35,18 @@ std::uint32_t roundedCount(SamplerId sampler, std::uint32_t count) {
     return rounded;
 }
 
+/// With a progress bar, which stands at 0 while the map is read and its tables are built.
+Study studyMap(EnvironmentStudyRequest& request, const EnvironmentChoice& choice) {
+    ProgressBar bar(true, "texels");
+    bar.update(0, 1);
+    request.map = makeEnvironment(choice);
+    request.progress = [&](std::uint64_t done, std::uint64_t total) {
+        if (done == 0) bar.restart();
+        bar.update(done, total);
+    };
+    return studyEnvironment(request);
+}
+
 ExitCode runEnv(EnvCommand& c) {
     const auto choice = parseEnvironment(c.map);
     if (!choice || choice->kind == EnvironmentChoice::Kind::None)
@@ -42,9 +55,8 @@ ExitCode runEnv(EnvCommand& c) {
     c.request.sampler = chooseSampler(c.sampler, c.scramble);
     c.request.count = roundedCount(c.sampler, c.request.count);
     c.request.name = environmentName(*choice);
-    c.request.map = makeEnvironment(*choice);
     c.request.picture = !c.output.empty();
-    showStudy(studyEnvironment(c.request), c.output, c.json);
+    showStudy(studyMap(c.request, *choice), c.output, c.json);
     return ExitCode::Ok;
 }
 

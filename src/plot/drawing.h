@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -34,6 +35,13 @@ struct Box {
     double x, y, width, height;
     Ink ink;
 };
+/// Display values in [0, 1], three channels.
+struct Picture {
+    double x, y, width;  ///< texels are squares of width / image.width units
+    Image image;
+
+    [[nodiscard]] double height() const { return width * image.height / image.width; }
+};
 struct Text {
     double x, y;  ///< on the baseline
     std::string text;
@@ -43,7 +51,7 @@ struct Text {
 };
 }  // namespace shape
 
-using Shape = std::variant<shape::Circle, shape::Line, shape::Box, shape::Text>;
+using Shape = std::variant<shape::Circle, shape::Line, shape::Box, shape::Picture, shape::Text>;
 
 /// Units are pixels of a screen, y down. Later shapes cover earlier ones.
 struct Drawing {
@@ -56,15 +64,19 @@ struct Drawing {
     }
     void box(double x, double y, double w, double h, Ink ink) { shapes.emplace_back(shape::Box{x, y, w, h, ink}); }
     void frame(double x, double y, double w, double h, double lineWidth, Ink ink);
+    void picture(double x, double y, double w, Image image) {
+        shapes.emplace_back(shape::Picture{x, y, w, std::move(image)});
+    }
     void text(double x, double y, std::string words, double size = 12, Align align = Align::Left, Ink ink = kBlack) {
         shapes.emplace_back(shape::Text{x, y, std::move(words), size, align, ink});
     }
 };
 
+/// Pictures are embedded as PNG, their texels shown as squares.
 [[nodiscard]] std::string toSvg(const Drawing& drawing);
 
-/// `scale` pixels a unit, antialiased, on white. Text is drawn in the font of stb_easy_font, which is ASCII
-/// only: other characters are a '?' each.
+/// `scale` pixels a unit, antialiased, on white; pictures by a box filter. Text is drawn in the font of stb_easy_font,
+/// which is ASCII only: other characters are a '?' each.
 [[nodiscard]] Image toImage(const Drawing& drawing, double scale = 2);
 
 }  // namespace vkpt

@@ -1,4 +1,5 @@
 // Pixels by coverage: a shape's signed distance at a pixel's centre, as far as it is within half a pixel of the edge.
+// Pictures by a box filter: the mean of the texels under a pixel.
 #include <stb_easy_font.h>
 
 #include <algorithm>
@@ -23,6 +24,31 @@ std::string drawable(const std::string& text) {
     return result;
 }
 
+/// What lies under a pixel along one axis of a picture, in texels.
+struct Footprint {
+    double low, high;
+
+    Footprint(double pixel, double start, double pixelsPerTexel, double texels)
+        : low(std::clamp((pixel - start) / pixelsPerTexel, 0.0, texels)),
+          high(std::clamp((pixel + 1 - start) / pixelsPerTexel, 0.0, texels)) {}
+
+    [[nodiscard]] double size() const { return high - low; }
+    /// The part of a texel that lies within.
+    [[nodiscard]] double of(double texel) const {
+        return std::max(0.0, std::min(high, texel + 1) - std::max(low, texel));
+    }
+};
+
+/// Mean over a footprint that is not empty.
+Ink meanUnder(const Image& image, const Footprint& column, const Footprint& row) {
+    std::array<double, 3> sum{};
+    for (auto y = static_cast<std::uint32_t>(row.low); y < row.high; ++y)
+        for (auto x = static_cast<std::uint32_t>(column.low); x < column.high; ++x)
+            for (std::size_t c = 0; c < 3; ++c) sum[c] += column.of(x) * row.of(y) * double{image.at(x, y)[c]};
+    const auto mean = [&](std::size_t c) { return static_cast<float>(sum[c] / (column.size() * row.size())); };
+    return {mean(0), mean(1), mean(2)};
+}
+
 class Rasteriser {
 public:
     Rasteriser(Image& image, double scale) : image_(image), scale_(scale) {}
@@ -45,6 +71,16 @@ public:
             return std::min(std::min(x - s.x, s.x + s.width - x), std::min(y - s.y, s.y + s.height - y));
         });
     }
+    void operator()(const shape::Picture& s) {
+        const double texel = s.width / s.image.width * scale_, left = s.x * scale_, top = s.y * scale_;
+        for (std::uint32_t y = pixel(top, image_.height); y < pixel(top + s.height() * scale_ + 1, image_.height); ++y)
+            for (std::uint32_t x = pixel(left, image_.width); x < pixel(left + s.width * scale_ + 1, image_.width);
+                 ++x) {
+                const Footprint column(x, left, texel, s.image.width), row(y, top, texel, s.image.height);
+                const double cover = column.size() * row.size() * texel * texel;
+                if (cover > 0) blend(x, y, meanUnder(s.image, column, row), static_cast<float>(cover));
+            }
+    }
     void operator()(const shape::Text& s) {
         std::string text = drawable(s.text);
         std::vector<std::array<float, 4>> vertices(text.size() * 4 * 70 + 4);
@@ -63,19 +99,23 @@ private:
     /// Blends ink over the box by how far inside each pixel's centre is.
     template <class Inside>
     void fill(double x0, double y0, double x1, double y1, const Ink& ink, const Inside& inside) {
-        const auto pixel = [](double v, std::uint32_t end) {
-            return static_cast<std::uint32_t>(std::clamp(v, 0.0, static_cast<double>(end)));
-        };
         for (std::uint32_t y = pixel(y0 * scale_ - 1, image_.height); y < pixel(y1 * scale_ + 2, image_.height); ++y)
             for (std::uint32_t x = pixel(x0 * scale_ - 1, image_.width); x < pixel(x1 * scale_ + 2, image_.width);
                  ++x) {
                 const double distance = inside((x + 0.5) / scale_, (y + 0.5) / scale_) * scale_;
-                const auto cover = static_cast<float>(std::clamp(distance + 0.5, 0.0, 1.0));
-                float* p = image_.at(x, y);
-                p[0] += (ink.r - p[0]) * cover;
-                p[1] += (ink.g - p[1]) * cover;
-                p[2] += (ink.b - p[2]) * cover;
+                blend(x, y, ink, static_cast<float>(std::clamp(distance + 0.5, 0.0, 1.0)));
             }
+    }
+
+    void blend(std::uint32_t x, std::uint32_t y, const Ink& ink, float cover) {
+        float* p = image_.at(x, y);
+        p[0] += (ink.r - p[0]) * cover;
+        p[1] += (ink.g - p[1]) * cover;
+        p[2] += (ink.b - p[2]) * cover;
+    }
+
+    static std::uint32_t pixel(double v, std::uint32_t end) {
+        return static_cast<std::uint32_t>(std::clamp(v, 0.0, static_cast<double>(end)));
     }
 
     Image& image_;

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "film/data_uri.h"
 #include "plot/drawing.h"
 
 namespace vkpt {
@@ -39,6 +40,12 @@ struct SvgWriter {
     std::string operator()(const shape::Box& s) const {
         return fmt::format("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"{}\"/>\n", s.x,
                            s.y, s.width, s.height, hex(s.ink));
+    }
+    std::string operator()(const shape::Picture& s) const {
+        return fmt::format(
+            "<image x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" preserveAspectRatio=\"none\" "
+            "style=\"image-rendering:pixelated\" href=\"{}\"/>\n",
+            s.x, s.y, s.width, s.height(), pngDataUri(encodePng(s.image, 8, {})));
     }
     std::string operator()(const shape::Text& s) const {
         static constexpr std::array kAnchors{"start", "middle", "end"};

@@ -1,8 +1,6 @@
 #include "verify/report_page.h"
 
-#include <boost/archive/iterators/base64_from_binary.hpp>
-#include <boost/archive/iterators/transform_width.hpp>
-
+#include "film/data_uri.h"
 #include "verify/ladder_text.h"
 
 namespace vkpt {
@@ -100,15 +98,6 @@ std::string escapeHtml(std::string_view text) {
     return out;
 }
 
-std::string dataUri(const Bytes& png) {
-    using namespace boost::archive::iterators;
-    using Base64 = base64_from_binary<transform_width<const char*, 6, 8>>;
-    const char* data = reinterpret_cast<const char*>(png.data());
-    std::string text(Base64(data), Base64(data + png.size()));
-    text.append((3 - png.size() % 3) % 3, '=');
-    return "data:image/png;base64," + text;
-}
-
 std::string verdictHtml(const LadderResult& ladder) {
     const bool bad = ladder.failure() != nullptr;
     return fmt::format("<section class=\"verdict{}\"><strong>{}</strong><pre>{}</pre></section>\n", bad ? " bad" : "",
@@ -129,7 +118,7 @@ std::string slidersHtml(const std::vector<ImagePair>& pairs) {
             "type=\"range\" min=\"0\" max=\"100\" value=\"50\" step=\"any\" aria-label=\"divider between Vulkan and "
             "CPU "
             "reference\"></div><p class=\"soft\">{}</p></div>\n",
-            i, i == 0 ? "" : " hidden", pair.aspect, dataUri(pair.device), dataUri(pair.reference),
+            i, i == 0 ? "" : " hidden", pair.aspect, pngDataUri(pair.device), pngDataUri(pair.reference),
             escapeHtml(pair.about));
     }
     return fmt::format("<section><h2>Vulkan against the CPU reference</h2><div class=\"tabs\">{}</div>{}</section>\n",
@@ -140,7 +129,7 @@ std::string heatsHtml(const std::vector<HeatPicture>& heats) {
     std::string html = "<section><h2>Where they differ</h2><div class=\"heats\">";
     for (const HeatPicture& heat : heats)
         html += fmt::format("<div><img alt=\"{0}\" src=\"{1}\"><p>{0}</p><p class=\"soft\">{2}</p></div>",
-                            escapeHtml(heat.name), dataUri(heat.png), escapeHtml(heat.about));
+                            escapeHtml(heat.name), pngDataUri(heat.png), escapeHtml(heat.about));
     return html + "</div></section>\n";
 }
 

@@ -12,7 +12,7 @@ namespace vkpt {
 namespace {
 
 Study studyOf(EnvironmentMap map, std::uint32_t count = 64) {
-    return studyEnvironment({"map", std::move(map), SamplerChoice(SamplerId::Sobol), count, 0, true});
+    return studyEnvironment({"map", std::move(map), SamplerChoice(SamplerId::Sobol), count, 0, true, {}});
 }
 
 /// Speckles of a small map, black ones among them.
@@ -64,15 +64,14 @@ TEST(EnvironmentStudy, ImportanceGainsMostWhereLightIsSmall) {
     EXPECT_GT(study.drawing.shapes.size(), 600U);
 }
 
-/// The boxes that follow the title which begins so, up to the next text.
-std::vector<shape::Box> boxesUnder(const Drawing& drawing, const std::string& title) {
-    std::vector<shape::Box> boxes;
+/// The picture that follows the title which begins so; empty where there is none before the next text.
+Image pictureUnder(const Drawing& drawing, const std::string& title) {
     bool under = false;
     for (const Shape& shape : drawing.shapes) {
         if (const auto* text = std::get_if<shape::Text>(&shape)) under = text->text.starts_with(title);
-        if (const auto* box = std::get_if<shape::Box>(&shape); box && under) boxes.push_back(*box);
+        if (const auto* picture = std::get_if<shape::Picture>(&shape); picture && under) return picture->image;
     }
-    return boxes;
+    return {};
 }
 
 // Rows that are multiples of one another have one conditional density, whatever their share of the marginal.
@@ -83,13 +82,13 @@ TEST(EnvironmentStudy, ShowsTheConditionalDensityOfEachRow) {
         for (std::uint32_t i = 0; i < kWidth; ++i)
             map.texels.emplace_back(static_cast<float>((j + 1) * (j + 1)) * static_cast<float>(i + 1));
     const Drawing drawing = studyOf(map).drawing;
-    const auto importance = boxesUnder(drawing, "scalar importance"),
-               conditional = boxesUnder(drawing, "conditional density");
-    ASSERT_EQ(importance.size(), kWidth * kHeight);
-    ASSERT_EQ(conditional.size(), kWidth * kHeight);
+    const Image importance = pictureUnder(drawing, "scalar importance"),
+                conditional = pictureUnder(drawing, "conditional density");
+    ASSERT_EQ(importance.pixels.size(), 3 * kWidth * kHeight);
+    ASSERT_EQ(conditional.pixels.size(), 3 * kWidth * kHeight);
     for (std::uint32_t i = 0; i < kWidth * kHeight; ++i)
-        EXPECT_NEAR(conditional[i].ink.r, conditional[i % kWidth].ink.r, 1e-4) << i;
-    EXPECT_GT(std::abs(importance.front().ink.r - importance[kWidth * kHeight / 2].ink.r), 0.1);
+        EXPECT_NEAR(*conditional.at(i % kWidth, i / kWidth), *conditional.at(i % kWidth, 0), 1e-4) << i;
+    EXPECT_GT(std::abs(*importance.at(0, 0) - *importance.at(0, kHeight / 2)), 0.1);
 }
 
 TEST(EnvironmentStudy, PicturesShowTheSphereWhateverTheShapeOfTheMap) {
@@ -99,6 +98,24 @@ TEST(EnvironmentStudy, PicturesShowTheSphereWhateverTheShapeOfTheMap) {
         EXPECT_EQ(drawing.width, usual.width);
         EXPECT_EQ(drawing.height, usual.height) << width << 'x' << height;
     }
+}
+
+// Noise is what PNG packs least.
+TEST(EnvironmentStudy, SvgHoldsOneImageAMapAndStaysSmall) {
+    const std::string svg = toSvg(studyOf(speckles(320, 160)).drawing);
+    std::size_t images = 0;
+    for (std::size_t at = svg.find("<image "); at != std::string::npos; at = svg.find("<image ", at + 1)) ++images;
+    EXPECT_EQ(images, 4U);
+    EXPECT_LT(svg.size(), 1'000'000U);
+}
+
+TEST(EnvironmentStudy, TellsOfItsProgressOnceARow) {
+    std::vector<std::pair<std::uint64_t, std::uint64_t>> told;
+    EnvironmentStudyRequest request{"map", speckles(16, 8), SamplerChoice(SamplerId::Sobol), 64, 0, false, {}};
+    request.progress = [&](std::uint64_t done, std::uint64_t total) { told.emplace_back(done, total); };
+    (void)studyEnvironment(request);
+    ASSERT_EQ(told.size(), 9U);
+    for (std::uint64_t row = 0; row <= 8; ++row) EXPECT_EQ(told[row], std::pair(16 * row, std::uint64_t{128}));
 }
 
 TEST(EnvironmentStudy, ABlackMapIsRefused) { EXPECT_THROW((void)studyOf(constantEnvironment(glm::vec3(0))), Error); }
