@@ -27,6 +27,11 @@ std::uint32_t groupsFor(std::uint32_t items) { return (items + kGroupSize - 1) /
 
 }  // namespace
 
+/// Whether paths that leave the scene on segment `bounce` add anything. An observer sees the stage all the same.
+bool WavefrontRenderer::Impl::meetsBeyond(std::uint32_t bounce) const {
+    return bounce == 0 || layout.header.envWidth != 0 || observer != nullptr;
+}
+
 /// Ends a stage that has just been recorded.
 void WavefrontRenderer::Impl::finish(Stage stage, const BatchParams& batch) {
     recorder.barrier();
@@ -65,7 +70,7 @@ void WavefrontRenderer::Impl::recordBounces(const FilmBand& band, BatchParams ba
     for (batch.bounce = begin; batch.bounce < end; ++batch.bounce) {
         stage(kernels.intersect, Queue::Ray, Stage::Intersect);
         if (batch.bounce == 0 && batch.round == 0 && kernels.layers) recordLayers(band, batch);
-        stage(kernels.miss, Queue::Miss, Stage::Miss);
+        if (meetsBeyond(batch.bounce)) stage(kernels.miss, Queue::Miss, Stage::Miss);
         for (std::size_t group = 0; group < kernels.shade.size(); ++group)
             if (kernels.shade[group]) stage(*kernels.shade[group], kHitQueues[group], kShadeStages[group]);
         if (hasShadowRays(options.params, batch.bounce)) stage(kernels.shadow, Queue::Shadow, Stage::Shadow);
@@ -142,7 +147,7 @@ void WavefrontRenderer::Impl::gatherCounters(WavefrontStats& stats) {
     for (std::uint32_t b = 0; b < counterBlocks() - 1; ++b) {
         const auto items = [&](Queue queue) { return words[queueCounterOffset(b, queue) / 4 + 3]; };
         stats.stages[static_cast<std::size_t>(Stage::Intersect)].items += items(Queue::Ray);
-        stats.stages[static_cast<std::size_t>(Stage::Miss)].items += items(Queue::Miss);
+        if (meetsBeyond(b)) stats.stages[static_cast<std::size_t>(Stage::Miss)].items += items(Queue::Miss);
         for (std::size_t group = 0; group < kShadeStages.size(); ++group)
             stats.stages[static_cast<std::size_t>(kShadeStages[group])].items += items(kHitQueues[group]);
         stats.stages[static_cast<std::size_t>(Stage::Shadow)].items += items(Queue::Shadow);

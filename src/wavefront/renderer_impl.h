@@ -61,6 +61,7 @@ struct WavefrontRenderer::Impl {
     void recordBounces(const FilmBand& band, BatchParams batch, std::uint32_t begin, std::uint32_t end);
     void recordLayers(const FilmBand& band, const BatchParams& batch);
     void recordEnd(const FilmBand& band, const BatchParams& batch);
+    [[nodiscard]] bool meetsBeyond(std::uint32_t bounce) const;
     void finish(Stage stage, const BatchParams& batch);
     void show(Stage stage, const BatchParams& batch);
     void submit(WavefrontStats& stats);
