@@ -83,6 +83,19 @@ Hit searchList(vec3 origin, vec3 d, float tMax, AlphaKey key) {
     return hit;
 }
 
+// Opens the nearest of `nodes` and keeps the rest for later: then `nodes` and `items` are what the ray meets in it.
+void openNext(SlabRay ray, float tMax, inout uvec2 nodes, inout uvec2 items) {
+    uint bit = uint(findMSB(nodes.y)), slot = (bit - 24u) ^ ray.octant;
+    uint node = nodes.x + bitCount(nodes.y & ((1u << slot) - 1u) & 0xffu);
+    nodes.y &= ~(1u << bit);
+    pushIf(nodes.y > 0x00ffffffu, nodes);
+    WideNode n = loadNode(node);
+    if (kIntegrator == kIntegratorCost) ++searchCost.x;
+    uint hits = intersectNode(ray, n, tMax);
+    nodes = uvec2(n.childBase, (hits & 0xff000000u) | (n.exponents >> 24u));
+    items = uvec2(n.itemBase, hits & 0x00ffffffu);
+}
+
 // Walks the tree; with `anyHit` stops at the first hit. One loop, each round a node or an item: where
 // invocations run in lockstep an inner loop over items would wait for the longest list at every node.
 Hit walkTree(vec3 origin, vec3 d, float tMax, AlphaKey key, bool anyHit) {
@@ -95,17 +108,7 @@ Hit walkTree(vec3 origin, vec3 d, float tMax, AlphaKey key, bool anyHit) {
     uvec2 nodes = uvec2(scene.rootNode, 0x80000000u);   // first child, bits of the children still to visit
     uvec2 items = uvec2(0u);                            // first item, bits of the items still to test
     for (;;) {
-        if (items.y == 0u && nodes.y > 0x00ffffffu) {
-            uint bit = uint(findMSB(nodes.y)), slot = (bit - 24u) ^ s.slab.octant;
-            uint node = nodes.x + bitCount(nodes.y & ((1u << slot) - 1u) & 0xffu);
-            nodes.y &= ~(1u << bit);
-            pushIf(nodes.y > 0x00ffffffu, nodes);
-            WideNode n = loadNode(node);
-            if (kIntegrator == kIntegratorCost) ++searchCost.x;
-            uint hits = intersectNode(s.slab, n, s.hit.t);
-            nodes = uvec2(n.childBase, (hits & 0xff000000u) | (n.exponents >> 24u));
-            items = uvec2(n.itemBase, hits & 0x00ffffffu);
-        }
+        if (items.y == 0u && nodes.y > 0x00ffffffu) openNext(s.slab, s.hit.t, nodes, items);
         if (items.y != 0u) {
             uint item = items.x + uint(findLSB(items.y));
             items.y &= items.y - 1u;
