@@ -16,14 +16,14 @@
 namespace vkpt {
 namespace {
 
-struct Integrand {
+struct LightIntegral {
     const char* name;
     const char* unit;
     glm::dvec3 normal;  ///< of the surface that is lit; 0: light counts from everywhere alike
 };
-constexpr std::array<Integrand, 3> kIntegrands{{{"light from everywhere", "nits sr", {0, 0, 0}},
-                                                {"irradiance from above", "lux", {0, 1, 0}},
-                                                {"irradiance from -z", "lux", {0, 0, -1}}}};
+constexpr std::array<LightIntegral, 3> kLightIntegrals{{{"light from everywhere", "nits sr", {0, 0, 0}},
+                                                        {"irradiance from above", "lux", {0, 1, 0}},
+                                                        {"irradiance from -z", "lux", {0, 0, -1}}}};
 
 /// Of one integrand: the integral, that of its square, and that of its square over the density.
 struct Sums {
@@ -48,7 +48,7 @@ private:
 
 struct Measures {
     double pdf = 0;  ///< integral of the density: 1
-    std::array<Sums, kIntegrands.size()> sums;
+    std::array<Sums, kLightIntegrals.size()> sums;
 
     void add(const Measures& m) {
         pdf += m.pdf;
@@ -73,8 +73,8 @@ Measures measureRow(const reference::Environment& environment, std::uint32_t row
                                                                 static_cast<float>((top + bottom) / 2));
             const double light = double{luminance(environment.radiance(d))}, pdf = double{environment.pdf(d)};
             m.pdf += pdf * solidAngle;
-            for (std::size_t i = 0; i < kIntegrands.size(); ++i) {
-                const glm::dvec3& n = kIntegrands[i].normal;
+            for (std::size_t i = 0; i < kLightIntegrals.size(); ++i) {
+                const glm::dvec3& n = kLightIntegrals[i].normal;
                 const double f = light * (n == glm::dvec3(0) ? 1 : std::max(0.0, glm::dot(n, glm::dvec3(d))));
                 if (f == 0) continue;
                 m.sums[i].value += f * solidAngle;
@@ -122,13 +122,13 @@ std::string tableOf(const EnvironmentStudyRequest& request, const Measures& m) {
                     request.map.width, request.map.height, m.sums[0].value / (4 * std::numbers::pi), m.pdf);
     table += fmt::format("{:<24}{:>12} {:<10}{:>10}{:>12}{:>10}\n", "variance of one sample", "value", "", "uniform",
                          "importance", "ratio");
-    for (std::size_t i = 0; i < kIntegrands.size(); ++i) {
+    for (std::size_t i = 0; i < kLightIntegrals.size(); ++i) {
         const Sums& s = m.sums[i];
         if (s.value == 0) continue;
         const double by = s.importanceVariance();
         const std::string ratio = by > 0 ? fmt::format("{:.4g}", s.uniformVariance() / by) : "-";
-        table += fmt::format("{:<24}{:>12.5g} {:<10}{:>10.4g}{:>12.4g}{:>10}\n", kIntegrands[i].name, s.value,
-                             kIntegrands[i].unit, s.uniformVariance(), by, ratio);
+        table += fmt::format("{:<24}{:>12.5g} {:<10}{:>10.4g}{:>12.4g}{:>10}\n", kLightIntegrals[i].name, s.value,
+                             kLightIntegrals[i].unit, s.uniformVariance(), by, ratio);
     }
     return table + "\nVariances are relative to the value squared, by quadrature over 2 x 2 or more points a texel.\n";
 }
@@ -141,8 +141,8 @@ Json jsonOf(const EnvironmentStudyRequest& request, const SceneArrays& arrays, c
               {"height", request.map.height}, {"meanLuminance", m.sums[0].value / (4 * std::numbers::pi)},
               {"densityIntegral", m.pdf},     {"integrals", Json::array()},
               {"marginalCdf", Json::array()}, {"samples", Json::array()}};
-    for (std::size_t i = 0; i < kIntegrands.size(); ++i)
-        json["integrals"].push_back({{"name", kIntegrands[i].name},
+    for (std::size_t i = 0; i < kLightIntegrals.size(); ++i)
+        json["integrals"].push_back({{"name", kLightIntegrals[i].name},
                                      {"value", m.sums[i].value},
                                      {"uniformVariance", finite(m.sums[i].uniformVariance())},
                                      {"importanceVariance", finite(m.sums[i].importanceVariance())}});

@@ -15,8 +15,8 @@ struct EnvironmentStudyRequest {
     SamplerChoice sampler;
     std::uint32_t count = 256, seed = 0;  ///< directions that are drawn and shown
     bool picture = true;
-    std::function<void(std::uint64_t done, std::uint64_t total)>
-        progress;  ///< texels; 0, then each row, one call at a time
+    /// Called with texels, 0 and then after each row; one call at a time.
+    std::function<void(std::uint64_t done, std::uint64_t total)> progress;
 };
 
 /// Sizes, density and the variance of one sample, by importance and uniform over the sphere, of three integrals: light
