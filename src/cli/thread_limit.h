@@ -5,7 +5,7 @@
 namespace vkpt {
 
 /// While it lives the host uses at most `threads` threads, and so does a lavapipe device that is opened, unless the
-/// environment says otherwise (LP_NUM_THREADS); 0: all.
+/// environment says otherwise (LP_NUM_THREADS). 0: all cores, and of lavapipe several threads a core.
 class ThreadLimit {
 public:
     explicit ThreadLimit(unsigned threads);

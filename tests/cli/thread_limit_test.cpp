@@ -52,5 +52,15 @@ TEST(ThreadLimit, LeavesTheUsersOwnChoiceOfDriverThreads) {
     EXPECT_EQ(std::getenv("LP_NUM_THREADS"), nullptr);
 }
 
+TEST(ThreadLimit, WithoutALimitTheDriverHasSeveralThreadsACore) {
+    {
+        const ThreadLimit none(0);
+        const char* threads = std::getenv("LP_NUM_THREADS");
+        ASSERT_NE(threads, nullptr);
+        EXPECT_GT(std::stoul(threads), std::thread::hardware_concurrency());
+    }
+    EXPECT_EQ(std::getenv("LP_NUM_THREADS"), nullptr);
+}
+
 }  // namespace
 }  // namespace vkpt
