@@ -1,6 +1,5 @@
 // vkpt env: an environment map as a light: its importance, where samples fall, and what that gains.
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include <memory>
 
@@ -26,15 +25,6 @@ struct EnvCommand {
     bool json = false;
 };
 
-/// --count, or the next number that the sampler's sets have.
-std::uint32_t roundedCount(SamplerId sampler, std::uint32_t count) {
-    const std::uint32_t rounded = sampleCount(sampler, count);
-    const SamplerInfo& info = samplerInfo(sampler);
-    if (rounded != count)
-        spdlog::info("--count {}: '{}' takes {}, so {}", count, info.name, countsText(info.counts), rounded);
-    return rounded;
-}
-
 /// With a progress bar, which stands at 0 while the map is read and its tables are built.
 Study studyMap(EnvironmentStudyRequest& request, const EnvironmentChoice& choice) {
     ProgressBar bar(true, "texels");
@@ -53,7 +43,7 @@ ExitCode runEnv(EnvCommand& c) {
         throw usageError("FILE", fmt::format("'{}' is no map, no colour R,G,B and not studio", c.map));
     checkPicture(c.output);
     c.request.sampler = chooseSampler(c.sampler, c.scramble);
-    c.request.count = roundedCount(c.sampler, c.request.count);
+    c.request.count = roundedCount("--count", c.sampler, c.request.count);
     c.request.name = environmentName(*choice);
     c.request.picture = !c.output.empty();
     showStudy(studyMap(c.request, *choice), c.output, c.json);

@@ -1,6 +1,7 @@
 #include "cli/options.h"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <array>
@@ -136,6 +137,14 @@ SamplerChoice chooseSampler(SamplerId sampler, std::optional<ScrambleId> scrambl
         throw usageError("--scramble", fmt::format("'{}' is not one of '{}': {}", scrambleName(*scramble), info.name,
                                                    scramblesOf(info)));
     return {sampler, *scramble};
+}
+
+std::uint32_t roundedCount(const char* option, SamplerId sampler, std::uint32_t count) {
+    const std::uint32_t rounded = sampleCount(sampler, count);
+    const SamplerInfo& info = samplerInfo(sampler);
+    if (rounded != count)
+        spdlog::info("{} {}: '{}' takes {}, so {}", option, count, info.name, countsText(info.counts), rounded);
+    return rounded;
 }
 
 void addSceneFile(CLI::App& app, SceneOptions& options, bool required) {

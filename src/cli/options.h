@@ -102,6 +102,8 @@ enum class Backend { Vulkan, Cpu };
 
 /// The sampler with the scramble that is asked for, or its default. Throws a usage error where it has no such one.
 [[nodiscard]] SamplerChoice chooseSampler(SamplerId sampler, std::optional<ScrambleId> scramble);
+/// The number of samples that `option` asks for, or the next that the sampler's sets have, with a notice.
+[[nodiscard]] std::uint32_t roundedCount(const char* option, SamplerId sampler, std::uint32_t count);
 
 /// What computes it.
 struct BackendOptions {

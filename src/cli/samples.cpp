@@ -1,6 +1,5 @@
 // vkpt samples: point sets, and what is to be known of them.
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <memory>
@@ -93,10 +92,7 @@ void check(const SamplesCommand& c, const StudyRequest& request) {
     for (const StudiedSampler& sampler : request.samplers) {
         if (!sampler.choice && request.dimensions.size() != 2 && c.mode != Mode::Convergence)
             throw usageError("--sampler", fmt::format("'{}' has two dimensions only", sampler.name));
-        const std::uint32_t count = sampler.roundedCount(request.count);
-        if (count != request.count)
-            spdlog::info("--count {}: '{}' takes {}, so {}", request.count, sampler.name,
-                         countsText(samplerInfo(sampler.choice->id).counts), count);
+        if (sampler.choice) (void)roundedCount("--count", sampler.choice->id, request.count);
     }
 }
 

@@ -41,15 +41,6 @@ private:
     double last_ = secondsSinceStart();
 };
 
-/// --spp, or the next number that the sampler's sets have.
-std::uint32_t roundedSpp(const SamplingOptions& sampling) {
-    const std::uint32_t spp = sampleCount(sampling.sampler, sampling.spp);
-    const SamplerInfo& sampler = samplerInfo(sampling.sampler);
-    if (spp != sampling.spp)
-        spdlog::info("--spp {}: '{}' takes {}, so {}", sampling.spp, sampler.name, countsText(sampler.counts), spp);
-    return spp;
-}
-
 void setTransport(RenderParams& params, const SamplingOptions& sampling) {
     params.integrator = static_cast<std::uint32_t>(sampling.integrator);
     params.strategy = static_cast<std::uint32_t>(sampling.strategy);
@@ -77,7 +68,7 @@ void setLightLayers(PreparedScene& prepared, const SamplingOptions& sampling) {
 void setSampling(RenderOptions& options, const SamplingOptions& sampling) {
     options.sampler = chooseSampler(sampling.sampler, sampling.scramble);
     options.aovs = sampling.aovs;
-    const std::uint32_t spp = roundedSpp(sampling);
+    const std::uint32_t spp = roundedCount("--spp", sampling.sampler, sampling.spp);
     const SampleRange range = sampling.samples.value_or(SampleRange{0, spp});
     if (range.end > spp)
         throw usageError("--samples",

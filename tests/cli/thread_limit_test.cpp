@@ -53,6 +53,7 @@ TEST(ThreadLimit, LeavesTheUsersOwnChoiceOfDriverThreads) {
 }
 
 TEST(ThreadLimit, WithoutALimitTheDriverHasSeveralThreadsACore) {
+    ::unsetenv("LP_NUM_THREADS");
     {
         const ThreadLimit none(0);
         const char* threads = std::getenv("LP_NUM_THREADS");
