@@ -51,7 +51,7 @@ constexpr std::array kChecks = {
     Check{Rung::Stages, "every bsdf", "all kernels on a scene in memory of every model, and of all interreflections",
           checkEveryBsdf},
 
-    Check{Rung::SameSeed, "same seed", "0.25 % of paths may part a segment; the mean may not, by three standard errors",
+    Check{Rung::SameSeed, "same seed", "0.05 % of paths may part a segment unexcused; the mean stays within its errors",
           checkSameSeed},
     Check{Rung::OtherSeeds, "other seeds", "means of 8x8 tiles and of the image; 1 % false alarms in all",
           checkOtherSeeds},

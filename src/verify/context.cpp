@@ -86,11 +86,7 @@ const SameSeedImages& VerifyContext::sameSeed() {
         single.sampleBegin = index;
         single.sampleEnd = index + 1;
         const Film reference = renderReference(scene_, single, {}, config);
-        PathDifferences ofSample;
-        ofSample.add(device, reference);
-        const bool many = ofSample.partedShare() > PathDifferences::mostParted(options_.params);
-        const auto twins = many ? renderTwins(scene_, single, config) : std::vector<Film>();
-        images.differences.add(device, reference, twins);
+        images.differences.add(device, reference, renderTwins(scene_, single, config));
         if (index == begin) {
             images.device = device;
             images.reference = reference;

@@ -55,7 +55,7 @@ void PathDifferences::add(const Image& a, const Image& b, std::uint32_t index, s
         }
 }
 
-double PathDifferences::mostParted(const RenderParams& params) { return 0.0025 * (pathDepth(params) + 1); }
+double PathDifferences::mostParted(const RenderParams& params) { return 0.0005 * (pathDepth(params) + 1); }
 
 double PathDifferences::partedSize() const {
     const double all = (mean(0) + mean(1) + mean(2)) / 3;

@@ -16,7 +16,7 @@ public:
     static constexpr double kRelative = 1e-3;  ///< a path that is off by more in a channel has parted
     static constexpr double kRounding = 1e-5;  ///< of the mean: what rounding alone may shift it by
 
-    /// Share of paths that may part, of those that rounding does not decide: it grows from bounce to bounce.
+    /// Share of paths that may part without an excuse: it grows from bounce to bounce.
     [[nodiscard]] static double mostParted(const RenderParams& params);
     static constexpr double kMostExcused = 0.1;  ///< share of paths that rounding may decide, if the rest is to tell
 
