@@ -5,7 +5,6 @@ struct ShadingPoint {
     vec3 ng;           // geometric normal on the side of wo
     bool front;
     float offset;      // distance by which new rays leave along ng
-    vec3 nGeometric;   // geometric normal of the front side
     ShadingFrame frame;
     SurfaceUv uv;
     uint materialIndex;
@@ -72,10 +71,10 @@ ShadingPoint makeShadingPoint(uint slot, uint instance, vec2 b12, vec3 wo) {
     }
     p.position = w.x * tri.v0 + w.y * tri.v1 + w.z * tri.v2;
     magnitude = maxAbs(maxAbs(maxAbs(magnitude, tri.v0), tri.v1), tri.v2);
-    p.nGeometric = normalize(ng);
-    p.front = dot(p.nGeometric, wo) >= 0.0;
+    vec3 nGeometric = normalize(ng);  // of the front side
+    p.front = dot(nGeometric, wo) >= 0.0;
     float side = p.front ? 1.0 : -1.0;
-    p.ng = side * p.nGeometric;
+    p.ng = side * nGeometric;
     p.offset = kOffsetScale * maxComponent(magnitude);
     p.uv = interpolateUv(vertices, a, b, c, w);
     p.materialIndex = tri.flags >> kTriangleMaterialShift;
@@ -83,7 +82,7 @@ ShadingPoint makeShadingPoint(uint slot, uint instance, vec2 b12, vec3 wo) {
     p.maps = sampleMaterialMaps(p.material, p.uv);
     p.light = tri.light;
     float n2 = dot(n, n);
-    n = n2 > 0.0 ? n * inversesqrt(n2) : p.nGeometric;
+    n = n2 > 0.0 ? n * inversesqrt(n2) : nGeometric;
     bool needsTangent = hasNormalMap(p.material) || (p.material.flags & kMaterialTangents) != 0u;
     p.tangent = needsTangent ? tangentAcross(t, n) : vec3(0.0);
     vec3 ns = side * applyNormalMap(p.material, p.maps.normal, n, p.tangent, ta.w);

@@ -14,6 +14,7 @@
 #include "math/color.glsl"
 #include "math/frame.glsl"
 #include "math/warp.glsl"
+#include "math/spherical_triangle.glsl"
 #include "math/cdf.glsl"
 #include "samplers/sample_id.glsl"
 #include "kernels/state.glsl"

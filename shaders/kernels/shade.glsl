@@ -12,8 +12,8 @@
 struct PathVertex {
     uint path;
     SampleId id;
-    vec3 direction, wo, throughput;   // direction: wo in world space
-    float pdfBsdf, t;
+    vec3 origin, direction, wo, throughput;  // origin: of the segment that met it; direction: wo in world space
+    float pdfBsdf;
     uint medium;                      // that the path came through
     uint group;                       // of the surface's own light
     ShadingPoint point;
@@ -33,9 +33,10 @@ PathVertex loadPathVertex(uint path) {
     uvec4 hit = loadState(kStateHit, path);
     v.direction = -direction.xyz;
     v.medium = floatBitsToUint(throughput.w);
-    v.pdfBsdf = loadStateFloat(kStateOrigin, path).w;
-    v.t = uintBitsToFloat(hit.x);
-    v.throughput = throughput.xyz * transmittance(v.medium, v.t);
+    vec4 origin = loadStateFloat(kStateOrigin, path);
+    v.origin = origin.xyz;
+    v.pdfBsdf = origin.w;
+    v.throughput = throughput.xyz * transmittance(v.medium, uintBitsToFloat(hit.x));
     v.point = makeShadingPoint(hit.y, floatBitsToUint(direction.w), uintBitsToFloat(hit.zw), v.direction);
     v.frame = makeVertexFrame(v.point);
     v.wo = toLocal(v.frame, v.direction);
@@ -60,10 +61,8 @@ vec3 emittedRadiance(PathVertex v) {
     if (!v.point.front && (m.flags & kMaterialDoubleSided) == 0u) return vec3(0.0);
     vec3 emission = m.emissive * v.point.maps.emissive.rgb;
     if (kHasTriangleLights == 0u || v.point.light == kNone) return emission;
-    uint light = scene.lights + v.point.light * 4u;
-    float pmf = sceneWordFloat(light + 1u).w, area = sceneWordFloat(light + 2u).w;
-    float pdfLight = pmf * v.t * v.t / (area * abs(dot(v.direction, v.point.nGeometric)));
-    return emission * weightOfBsdfSample(v.pdfBsdf, pdfLight);
+    LightRecord light = loadLight(v.point.light);
+    return emission * weightOfBsdfSample(v.pdfBsdf, triangleLightPdf(light, seenFrom(light, v.origin)));
 }
 
 // Whether both normals see wi on the same side.

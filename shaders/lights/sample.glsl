@@ -22,23 +22,31 @@ vec3 triangleLightEmission(LightRecord light, vec2 b01) {
     return light.color * surfaceTexture(m.emissiveTexture, uv).rgb;
 }
 
+// A triangle light as `from` sees it.
+SphericalTriangle seenFrom(LightRecord light, vec3 from) {
+    return makeSphericalTriangle(light.a - from, light.b - from, light.c - from);
+}
+
+// Density of its samples per steradian, choice included; 0 where p is behind it or in its plane.
+float triangleLightPdf(LightRecord light, SphericalTriangle seen) {
+    float height = light.kind == kLightTriangleTwoSided ? abs(seen.height) : seen.height;
+    return height > light.offset ? light.pmf / seen.solidAngle : 0.0;
+}
+
 LightSample sampleTriangleLight(LightRecord light, vec3 from, vec2 u) {
     LightSample s;
-    vec2 b = squareToTriangle(u);
+    SphericalTriangle seen = seenFrom(light, from);
+    vec2 b = squareToSphericalTriangle(seen, u);
     vec3 point = b.x * light.a + b.y * light.b + (1.0 - b.x - b.y) * light.c;
-    vec3 n = normalize(cross(light.b - light.a, light.c - light.a));
     vec3 toLight = point - from;
     float d2 = dot(toLight, toLight);
     s.wi = toLight * inversesqrt(d2);
-    float cosLight = -dot(n, s.wi);
-    float scale = kOffsetScale * maxComponent(maxAbs(maxAbs(abs(light.a), light.b), light.c));
     s.distance = sqrt(d2);
-    s.target = point + n * (cosLight >= 0.0 ? scale : -scale);
+    s.target = point + seen.normal * (seen.height >= 0.0 ? light.offset : -light.offset);
     s.infinite = false;
     s.delta = false;
-    bool lit = light.kind == kLightTriangleTwoSided ? cosLight != 0.0 : cosLight > 0.0;
-    s.radiance = lit && d2 > 0.0 ? triangleLightEmission(light, b) : vec3(0.0);
-    s.pdf = light.pmf * d2 / (light.area * abs(cosLight));
+    s.pdf = triangleLightPdf(light, seen);
+    s.radiance = s.pdf > 0.0 ? triangleLightEmission(light, b) : vec3(0.0);
     return s;
 }
 

@@ -19,17 +19,5 @@ vec3 squareToCosineHemisphere(vec2 u) {
 // Uniform hemisphere around +z; pdf 1/(2 pi).
 vec3 squareToUniformHemisphere(vec2 u) { return vec3(sqrt(max(1.0 - u.y * u.y, 0.0)) * cosSinTurns(u.x), u.y); }
 
-// Uniform barycentrics (b0, b1) of a triangle, low distortion. [Heitz 19]
-vec2 squareToTriangle(vec2 u) {
-    if (u.y > u.x) {
-        u.x *= 0.5;
-        u.y -= u.x;
-    } else {
-        u.y *= 0.5;
-        u.x -= u.y;
-    }
-    return u;
-}
-
 // What choosing the first of two by u < p leaves of u, from 0 to below 1. [Shirley 96]
 float restOfChoice(float u, float p) { return min(u < p ? u / p : (u - p) / (1.0 - p), kBelowOne); }

@@ -44,7 +44,7 @@ void putMaterial(MaterialRecord r) {
 void putTexture(TextureRecord r) { put(r.texels); put(r.size); put(r.flags); put(r.stride); put(r.rowU); put(r.rowV); }
 
 void putLight(LightRecord r) {
-    put(r.a); put(r.kind); put(r.b); put(r.pmf); put(r.c); put(r.area); put(r.color); put(r.index);
+    put(r.a); put(r.kind); put(r.b); put(r.pmf); put(r.c); put(r.offset); put(r.color); put(r.index);
 }
 
 void putHeader(SceneHeader r) {

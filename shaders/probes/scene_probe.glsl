@@ -10,5 +10,6 @@
 #include "math/color.glsl"
 #include "math/frame.glsl"
 #include "math/warp.glsl"
+#include "math/spherical_triangle.glsl"
 #include "math/cdf.glsl"
 #include "samplers/sample_id.glsl"

@@ -133,7 +133,7 @@ struct LightRecord {
     vec3 b;
     float pmf;
     vec3 c;
-    float area;    // triangle: its area in square metres
+    float offset;  // triangle: metres off its plane at which shadow rays end
     vec3 color;
     uint index;    // triangle: slot in the triangle array
 };

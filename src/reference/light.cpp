@@ -2,15 +2,20 @@
 
 #include "reference/geometry.h"
 #include "reference/lights/punctual.h"
-#include "reference/lights/triangle.h"
-#include "reference/warp.h"
+#include "reference/lights/spherical_triangle.h"
 
 namespace vkpt::reference {
 
 namespace {
 
-glm::vec3 lightNormal(const LightRecord& light) {
-    return glm::normalize(glm::cross(light.b - light.a, light.c - light.a));
+SphericalTriangle<float> seenFrom(const LightRecord& light, const glm::vec3& from) {
+    return {light.a - from, light.b - from, light.c - from};
+}
+
+/// Per steradian, the choice of the light included. In the plane itself rounding would decide: there it is 0, too.
+float densityOf(const LightRecord& light, const SphericalTriangle<float>& seen) {
+    const bool isBehind = seen.height() < -light.offset && light.kind == kLightTriangleTwoSided;
+    return seen.height() > light.offset || isBehind ? light.pmf / seen.solidAngle() : 0;
 }
 
 }  // namespace
@@ -38,26 +43,23 @@ std::optional<LightSample> Lights::sampleOf(const LightRecord& light, const glm:
 
 std::optional<LightSample> Lights::sampleTriangle(const LightRecord& light, const glm::vec3& from,
                                                   const Vec2<float>& u) const {
-    const glm::vec3 b = squareToTriangle(u);
+    const auto seen = seenFrom(light, from);
+    LightSample sample;
+    sample.pdf = densityOf(light, seen);
+    if (sample.pdf <= 0) return std::nullopt;
+    const glm::vec3 b = seen.point(u);
     const glm::vec3 point = b.x * light.a + b.y * light.b + b.z * light.c;
     const glm::vec3 toLight = point - from;
-    const float distance2 = glm::dot(toLight, toLight);
-    if (distance2 <= 0) return std::nullopt;
-    LightSample sample;
-    sample.distance = std::sqrt(distance2);
+    sample.distance = glm::length(toLight);
     sample.wi = toLight / sample.distance;
-    const glm::vec3 normal = lightNormal(light);
-    const float cosine = -glm::dot(normal, sample.wi);
-    if (cosine == 0 || (cosine < 0 && light.kind == kLightTriangle)) return std::nullopt;
-    sample.pdf = light.pmf * trianglePdf(light.area, distance2, std::abs(cosine));
     const TriangleRecord& triangle = scene_.triangles[light.index];
     const MaterialRecord& material = materialOf(scene_, triangle);
     sample.radiance = light.color;
     if (material.emissiveTexture != kNone) {
         sample.radiance = emission(scene_, material, interpolateAttributes(scene_, triangle, b));
     }
-    const float offset = kOffsetScale * largestComponent(light.a, light.b, light.c);
-    sample.end = point + normal * (cosine > 0 ? offset : -offset);
+    const glm::vec3 normal = glm::normalize(glm::cross(light.b - light.a, light.c - light.a));
+    sample.end = point + normal * (seen.height() > 0 ? light.offset : -light.offset);
     return sample;
 }
 
@@ -94,8 +96,8 @@ std::optional<LightSample> Lights::sampleEnvironment(const LightRecord& light, c
     return sample;
 }
 
-float Lights::pdfTriangle(const LightRecord& light, const glm::vec3& d, float t) const {
-    return light.pmf * trianglePdf(light.area, t * t, std::abs(glm::dot(lightNormal(light), d)));
+float Lights::pdfTriangle(const LightRecord& light, const glm::vec3& from) const {
+    return densityOf(light, seenFrom(light, from));
 }
 
 float Lights::pdfEnvironment(const glm::vec3& d) const {

@@ -31,8 +31,9 @@ public:
     /// Chooses a light, and a direction to it, by two sampler values. Nothing where no light comes from there.
     [[nodiscard]] std::optional<LightSample> sample(const glm::vec3& from, glm::uvec2 bits) const;
 
-    /// Density of sample() for a ray of unit direction `d` that met a triangle light at distance t.
-    [[nodiscard]] float pdfTriangle(const LightRecord& light, const glm::vec3& d, float t) const;
+    /// Density of sample() from there for the directions that meet a triangle light, per steradian; 0 from behind a
+    /// light of one side, and in its plane.
+    [[nodiscard]] float pdfTriangle(const LightRecord& light, const glm::vec3& from) const;
     /// Density of sample() for a unit direction that met nothing.
     [[nodiscard]] float pdfEnvironment(const glm::vec3& d) const;
 

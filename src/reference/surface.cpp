@@ -93,7 +93,7 @@ glm::vec3 Surface::emitted() const {
         if (isBlack(le)) return le;
         const bool isLight = triangle_.light != kNone;
         const float pdfLight =
-            isLight ? transport_.lights.pdfTriangle(scene_.lights[triangle_.light], state_.ray.direction, hit_.t) : 0;
+            isLight ? transport_.lights.pdfTriangle(scene_.lights[triangle_.light], state_.ray.origin) : 0;
         w = transport_.heuristic.ofEmission(state_.pdfBsdf, isLight, pdfLight);
     }
     return transport_.clamped(throughput_ * le * w, state_.bounce);

@@ -22,17 +22,4 @@ template <class Real>
     return {disk, std::sqrt(std::max(Real(0), 1 - disk.x * disk.x - disk.y * disk.y))};
 }
 
-/// Uniform barycentrics (b0, b1, b2). [Heitz 19]
-template <class Real>
-[[nodiscard]] Vec3<Real> squareToTriangle(Vec2<Real> u) {
-    if (u.y > u.x) {
-        u.x /= 2;
-        u.y -= u.x;
-    } else {
-        u.y /= 2;
-        u.x -= u.y;
-    }
-    return {u.x, u.y, 1 - u.x - u.y};
-}
-
 }  // namespace vkpt::reference

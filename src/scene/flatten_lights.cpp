@@ -85,7 +85,8 @@ void addTriangleLights(SceneArrays& arrays) {
         LightRecord light{};
         light.kind = shinesOnBothSides(material) ? kLightTriangleTwoSided : kLightTriangle;
         light.a = triangle.v0, light.b = triangle.v1, light.c = triangle.v2;
-        light.area = static_cast<float>(triangleArea(triangle));
+        const glm::vec3 reach = glm::max(glm::abs(light.a), glm::max(glm::abs(light.b), glm::abs(light.c)));
+        light.offset = kOffsetScale * std::max({reach.x, reach.y, reach.z});
         light.color = material.emissive;
         light.index = i;
         arrays.lights.push_back(light);

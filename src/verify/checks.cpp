@@ -19,7 +19,7 @@ constexpr std::array kChecks = {
     Check{Rung::Integers, "compaction", "each wanted slot once, without gaps, in every form", checkAppend},
 
     Check{Rung::Functions, "trigonometry", "within 2e-7 (cos, sin), 3e-7 (atan2), 6e-7 (acos)", checkTrigonometry},
-    Check{Rung::Functions, "warps", "square to disk, hemisphere (4e-7) and triangle (equal)", checkWarp},
+    Check{Rung::Functions, "warps", "square to disk and hemisphere (4e-7)", checkWarp},
     Check{Rung::Functions, "frames", "orthonormal bases within 1e-6", checkFrame},
     Check{Rung::Functions, "octahedral", "packed normals and tangents within 3e-7", checkOctahedral},
     Check{Rung::Functions, "colour and MIS", "sRGB within 1e-6, luminance and power heuristic 1e-6", checkColor},

@@ -56,15 +56,5 @@ TEST(SquareToCosineHemisphere, HasDensityCosineOverPi) {
               4);
 }
 
-TEST(SquareToTriangle, IsUniform) {
-    EXPECT_LT(uniformityOf([](const Vec2<float>& u) {  // (1 - sqrt, share) undoes the area
-                  const glm::dvec3 b = squareToTriangle(u);
-                  EXPECT_GE(std::min({b.x, b.y, b.z}), 0);
-                  const double rest = b.x + b.y;
-                  return glm::dvec2(rest * rest, rest > 0 ? b.x / rest : 0);
-              }),
-              4);
-}
-
 }  // namespace
 }  // namespace vkpt::reference

@@ -72,7 +72,7 @@ std::array<Fields, kStructs.size()> expectedFields(const Records& all) {
         fieldsOf(m.baseColor, m.emissive, m.metallic, m.roughness, m.normalScale, m.alphaCutoff, m.flags,
                  m.baseColorTexture, m.metallicRoughnessTexture, m.normalTexture, m.emissiveTexture),
         fieldsOf(x.texels, x.size, x.flags, x.stride, x.rowU, x.rowV),
-        fieldsOf(l.a, l.kind, l.b, l.pmf, l.c, l.area, l.color, l.index),
+        fieldsOf(l.a, l.kind, l.b, l.pmf, l.c, l.offset, l.color, l.index),
         fieldsOf(h.nodes, h.triangles, h.vertices, h.vertexExtras, h.instances, h.materials, h.textures, h.texels,
                  h.lights, h.lightCdf, h.lightCount, h.rootNode, h.envTexels, h.envRows, h.envColumns, h.envLight,
                  h.envWidth, h.envHeight, h.envCos, h.envSin, h.samplerTable, h.bsdfs, h.albedoTables, h.filterTable,

@@ -37,22 +37,22 @@ const LightRecord& chosenLight(const SceneArrays& arrays, const In& in) {
     return arrays.lights[reference::sampleTable(arrays.lightCdf, reference::toUnit(in.bits.x)).index];
 }
 
-/// Cosine at a triangle light towards the point.
-double cosineAt(const LightRecord& light, const glm::dvec3& wi) {
+/// Sine of the elevation above the plane of a triangle light, as its first corner sees the point.
+double elevationAt(const LightRecord& light, const glm::dvec3& from) {
     const glm::dvec3 a(light.a), n = glm::cross(glm::dvec3(light.b) - a, glm::dvec3(light.c) - a);
-    return std::abs(glm::dot(glm::normalize(n), wi));
+    return std::abs(glm::dot(glm::normalize(n), glm::normalize(from - a)));
 }
 
-/// Directions: the rounding of the point on the light, 3e-7 of its size, over the distance. Their pdf divides by the
-/// cosine, which is off by as much.
+/// Directions: the rounding of the point on the light, 3e-7 of its size, over the distance. The solid angle of a
+/// triangle is in proportion to its elevation, which is off by as much.
 void compareSample(const LightRecord& light, const reference::LightSample& expected, const In& in, const Out& out,
                    Findings& findings) {
     const bool triangle = light.kind <= kLightTriangleTwoSided, sky = light.kind == kLightEnvironment;
     const double distance = expected.infinite ? 1 : glm::distance(expected.end, in.from);
     const double angle = sky ? 2e-5 : 1e-6 + 3e-6 / distance;
-    const double cosine = triangle ? cosineAt(light, glm::dvec3(expected.wi)) : 1;
+    const double elevation = triangle ? elevationAt(light, glm::dvec3(in.from)) : 1;
     findings.near("wi", out.wi, expected.wi, angle);
-    findings.near("pdf", out.pdf, expected.pdf, 0, 1e-5 + 4 * angle / cosine);
+    findings.near("pdf", out.pdf, expected.pdf, 0, 1e-5 + 4 * angle / elevation);
     findings.near("radiance", out.radiance, expected.radiance, sky ? 1e-2 : 2e-5, 1e-5 + 4 * angle);
     findings.equal("infinite", out.infinite != 0, expected.infinite);
     findings.equal("delta", out.delta != 0, expected.punctual);
