@@ -7,31 +7,49 @@
 #include <string>
 #include <thread>
 
+#include "base/cpu.h"
+
 namespace vkpt {
 namespace {
-
-constexpr const char* kLavapipeThreads = "LP_NUM_THREADS";  // read when the driver is loaded
 
 /// Lavapipe gives each of its threads the same share of a dispatch at once. Several a core level out what one is late
 /// by.
 constexpr unsigned kDriverThreadsACore = 3;
 
+std::string driverThreads(unsigned threads) {
+    const unsigned all = kDriverThreadsACore * std::thread::hardware_concurrency();
+    return threads > 0 ? std::to_string(threads) : all > 0 ? std::to_string(all) : std::string();
+}
+
 }  // namespace
 
 struct ThreadLimit::Impl {
-    explicit Impl(unsigned threads) : setsDriver(std::getenv(kLavapipeThreads) == nullptr) {
-        if (threads > 0) control.emplace(tbb::global_control::max_allowed_parallelism, threads);
-        const unsigned ofDriver = threads > 0 ? threads : kDriverThreadsACore * std::thread::hardware_concurrency();
-        if (setsDriver && ofDriver > 0) ::setenv(kLavapipeThreads, std::to_string(ofDriver).c_str(), 0);
-    }
-    ~Impl() {
-        if (setsDriver) ::unsetenv(kLavapipeThreads);
-    }
-    Impl(const Impl&) = delete;
-    Impl& operator=(const Impl&) = delete;
+    /// A variable of the environment while it lives, where the user has not set it. Drivers read theirs when they are
+    /// loaded.
+    class EnvironmentDefault {
+    public:
+        EnvironmentDefault(const char* name, const std::string& value)
+            : name_(std::getenv(name) == nullptr && !value.empty() ? name : nullptr) {
+            if (name_ != nullptr) ::setenv(name_, value.c_str(), 0);
+        }
+        ~EnvironmentDefault() {
+            if (name_ != nullptr) ::unsetenv(name_);
+        }
+        EnvironmentDefault(const EnvironmentDefault&) = delete;
+        EnvironmentDefault& operator=(const EnvironmentDefault&) = delete;
 
+    private:
+        const char* name_;
+    };
+
+    explicit Impl(unsigned threads)
+        : lavapipeThreads("LP_NUM_THREADS", driverThreads(threads)),
+          lavapipeWidth("LP_NATIVE_VECTOR_WIDTH", computes512Bits() ? "512" : "") {
+        if (threads > 0) control.emplace(tbb::global_control::max_allowed_parallelism, threads);
+    }
+
+    EnvironmentDefault lavapipeThreads, lavapipeWidth;
     std::optional<tbb::global_control> control;
-    bool setsDriver;
 };
 
 ThreadLimit::ThreadLimit(unsigned threads) : impl_(std::make_unique<Impl>(threads)) {}

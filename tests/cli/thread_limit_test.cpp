@@ -8,6 +8,7 @@
 #include <string>
 #include <thread>
 
+#include "base/cpu.h"
 #include "gpu/device.h"
 
 namespace vkpt {
@@ -61,6 +62,29 @@ TEST(ThreadLimit, WithoutALimitTheDriverHasSeveralThreadsACore) {
         EXPECT_GT(std::stoul(threads), std::thread::hardware_concurrency());
     }
     EXPECT_EQ(std::getenv("LP_NUM_THREADS"), nullptr);
+}
+
+TEST(ThreadLimit, LavapipesVectorsAreAsWideAsTheProcessorComputesThem) {
+    const char* const name = "LP_NATIVE_VECTOR_WIDTH";
+    const char* const set = std::getenv(name);
+    const std::string before = set != nullptr ? set : "";
+    ::unsetenv(name);
+    {
+        const ThreadLimit none(0);
+        if (computes512Bits())
+            EXPECT_STREQ(std::getenv(name), "512");
+        else
+            EXPECT_EQ(std::getenv(name), nullptr);
+    }
+    EXPECT_EQ(std::getenv(name), nullptr);
+    ::setenv(name, "256", 1);
+    {
+        const ThreadLimit none(0);
+        EXPECT_STREQ(std::getenv(name), "256");
+    }
+    EXPECT_STREQ(std::getenv(name), "256");
+    ::unsetenv(name);
+    if (!before.empty()) ::setenv(name, before.c_str(), 1);
 }
 
 }  // namespace

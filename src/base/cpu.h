@@ -1,0 +1,10 @@
+// What the processor is good at, where libraries and drivers do not ask for it themselves.
+#pragma once
+
+namespace vkpt {
+
+/// Whether vectors of 512 bits are computed at once: AVX-512 on AMD's processors from family 26 (Zen 5) on. Others
+/// take two steps or clock down, or have not been measured.
+[[nodiscard]] bool computes512Bits();
+
+}  // namespace vkpt
