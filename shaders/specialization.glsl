@@ -53,5 +53,6 @@ layout(constant_id = 42) const uint kLengthLayers = 1u;
 layout(constant_id = 43) const uint kGroupWord = kNone;
 layout(constant_id = 44) const uint kListTriangles = 0u;  // that rays are tested against; 0: the tree is walked
 layout(constant_id = 45) const uint kStackEntries = kMaxStackEntries;  // that a walk of the tree needs, at most
+layout(constant_id = 46) const uint kInlineShadows = 0u;  // shade traces its light samples itself: no shadow stage
 const bool kHasSurfaceLayers = kAlbedoWord != kNone || kNormalWord != kNone || kDepthWord != kNone ||
                                kPositionWord != kNone || kUvWord != kNone || kIdsWord != kNone;

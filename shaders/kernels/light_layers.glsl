@@ -21,12 +21,17 @@ void addToLayer(uint path, uint word, vec3 c) {
     for (uint i = 0u; i < 3u; ++i) addAtomically(base + i, toSignedFixedPoint(c[i]));
 }
 
-// A contribution to the path and to the layers. `scatterings`: on its way to the camera; `group`: of its light.
-void contribute(uint path, vec3 c, bool first, uint met, uint scatterings, uint group) {
-    addContribution(path, c, first, met);
-    if (isRefused(c)) return;
+// A contribution to the layers. `scatterings`: on its way to the camera; `group`: of its light.
+void addToLayers(uint path, vec3 c, uint scatterings, uint group) {
+    if ((kLengthWord == kNone && kGroupWord == kNone) || isRefused(c)) return;
     if (kLengthWord != kNone) addToLayer(path, kLengthWord + 3u * min(scatterings, kLengthLayers - 1u), c);
     if (kGroupWord != kNone) addToLayer(path, kGroupWord + 3u * group, c);
+}
+
+// A contribution to the path and to the layers.
+void contribute(uint path, vec3 c, bool first, uint met, uint scatterings, uint group) {
+    addContributions(path, c, vec3(0.0), first, met);
+    addToLayers(path, c, scatterings, group);
 }
 
 // The group of what a triangle emits.

@@ -8,6 +8,9 @@
 #include "kernels/weights.glsl"
 #include "kernels/media.glsl"
 #include "kernels/shadow_item.glsl"
+#include "geometry/triangle.glsl"
+#include "geometry/search_list.glsl"
+#include "material/alpha.glsl"
 
 struct PathVertex {
     uint path;
@@ -131,12 +134,24 @@ bool takesLightSample() {
 }
 bool takesBsdfSample() { return kIntegrator != kIntegratorDirect || batch.round < render.bsdfSamples; }
 
-// What the vertex itself adds to the film; later rounds of integrator direct add nothing at the first.
-void addEmission(PathVertex v, vec3 radiance) {
+// Whether a light sample arrives, where it is traced here: among few triangles, none of alpha. All invocations search
+// the list together; those without a sample meet nothing.
+bool arrives(bool lit, ShadowItem s) {
+    vec4 target = lit ? vec4(s.target, s.tMax) : vec4(1.0, 1.0, 1.0, -1.0);
+    return searchList(lit ? s.origin : vec3(0.0), target.xyz, target.w, AlphaKey(0u)).slot == kNone && lit;
+}
+
+// What the vertex itself adds to the film, and its light sample where that was traced here and `lit`; later rounds of
+// integrator direct add no emission at the first.
+void addLight(PathVertex v, vec3 radiance, bool lit, ShadowItem shadow) {
     bool camera = batch.bounce == 0u, first = camera && (kIntegrator != kIntegratorDirect || batch.round == 0u);
-    vec3 emission = clampIndirect(v.throughput * radiance, batch.bounce);
-    if (first || (!camera && maxMagnitude(emission) > 0.0))
-        contribute(v.path, emission, first, first ? kMetSurface : kMetNothing, batch.bounce, v.group);
+    vec3 emission = clampIndirect(v.throughput * radiance, batch.bounce), direct = lit ? shadow.radiance : vec3(0.0);
+    bool emits = first || (!camera && maxMagnitude(emission) > 0.0);
+    if (!emits) emission = vec3(0.0);
+    if (!emits && !lit) return;
+    addContributions(v.path, emission, direct, first, first ? kMetSurface : kMetNothing);
+    addToLayers(v.path, emission, batch.bounce, v.group);
+    if (kInlineShadows != 0u) addToLayers(v.path, direct, batch.bounce + 1u, shadow.group);
 }
 
 void main() {
@@ -162,12 +177,15 @@ void main() {
     uint counterOf[kAppends] =
         uint[](queueCounter(batch.bounce, kQueueShadow), queueCounter(batch.bounce + 1u, kQueueRay));
     uint slots[kAppends] = appendSlots(counterOf, bool[](lit, scattered));
-    if (live) addEmission(v, emitted);
-    if (lit) storeShadowItem(slots[0], v.path, shadow);
     if (scattered) {
         storeStateFloat(kStateOrigin, v.path, vec4(origin, pdf));
         storeStateFloat(kStateDirection, v.path, vec4(direction, 0.0));
         storeStateFloat(kStateThroughput, v.path, throughput);
         counters[queueArray(batch.bounce + 1u, kQueueRay) + slots[1]] = v.path;
     }
+    if (kInlineShadows != 0u)
+        lit = arrives(lit, shadow);
+    else if (lit)
+        storeShadowItem(slots[0], v.path, shadow);
+    if (live) addLight(v, emitted, lit && kInlineShadows != 0u, shadow);
 }

@@ -18,5 +18,5 @@ void main() {
     putWord(8u, uvec4(kIntegrator, kStrategy, kBeta, kHemisphere));
     putWord(9u, uvec4(kProjection, kHasFilter, kHasLens, kHasMedia));
     putWord(10u, uvec4(kHasNegativeLobes, kLengthWord, kLengthLayers, kGroupWord));
-    putWord(11u, uvec4(kListTriangles, kStackEntries, 0u, 0u));
+    putWord(11u, uvec4(kListTriangles, kStackEntries, kInlineShadows, 0u));
 }

@@ -73,7 +73,8 @@ std::vector<std::uint32_t> specializationOf(const SceneFeatures& f, const SceneH
             std::max(options.film.light().lengths, 1U),
             options.film.groupWord(),
             options.listTriangles,
-            options.stackEntries};
+            options.stackEntries,
+            options.inlineShadows};
 }
 
 std::uint32_t listTriangles(const SceneArrays& arrays, std::uint32_t integrator) {
@@ -119,7 +120,7 @@ WavefrontKernels::WavefrontKernels(Device& device, const SpirvSource& spirv, con
             shade[group].emplace(
                 make((look ? "look" : kStageNames[static_cast<std::size_t>(kShadeStages[group])]) + form));
     miss = make("miss");
-    shadow = make("shadow");
+    if (!options.inlineShadows) shadow.emplace(make("shadow"));
     accumulate = make("accumulate");
     if (options.film.hasSurfaceLayer()) layers.emplace(make("layers"));
 }

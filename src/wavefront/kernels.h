@@ -32,6 +32,7 @@ struct KernelOptions {
     bool fetchTexel = false, useBallot = false, stateTexel = false;
     std::uint32_t listTriangles = 0;                ///< 0: the tree is walked
     std::uint32_t stackEntries = kMaxStackEntries;  ///< of the tree's walk
+    bool inlineShadows = false;                     ///< shade kernels trace light samples themselves
     FilmLayout film{};
     RenderParams params = defaultParams();  ///< integrator, strategy, hemisphere and camera
 };
@@ -58,8 +59,9 @@ struct KernelOptions {
 [[nodiscard]] std::uint32_t shadeGroupsOf(std::uint32_t bsdfModels, std::uint32_t integrator);
 
 struct WavefrontKernels {
-    Kernel generate, intersect, miss, shadow, accumulate;
+    Kernel generate, intersect, miss, accumulate;
     std::array<std::optional<Kernel>, kGroups> shade;  ///< of the groups that hits are sorted into
+    std::optional<Kernel> shadow;                      ///< unless shade traces light samples
     std::optional<Kernel> layers;
 
     /// Every kernel that the scene and `options` need; with the variants that need no subgroup operations unless

@@ -68,12 +68,13 @@ void WavefrontRenderer::Impl::recordBounces(const FilmBand& band, BatchParams ba
         finish(id, batch);
     };
     for (batch.bounce = begin; batch.bounce < end; ++batch.bounce) {
-        stage(kernels.intersect, Queue::Ray, Stage::Intersect);
-        if (batch.bounce == 0 && batch.round == 0 && kernels.layers) recordLayers(band, batch);
-        if (meetsBeyond(batch.bounce)) stage(kernels.miss, Queue::Miss, Stage::Miss);
-        for (std::size_t group = 0; group < kernels.shade.size(); ++group)
-            if (kernels.shade[group]) stage(*kernels.shade[group], kHitQueues[group], kShadeStages[group]);
-        if (hasShadowRays(options.params, batch.bounce)) stage(kernels.shadow, Queue::Shadow, Stage::Shadow);
+        const WavefrontKernels& k = active();
+        stage(k.intersect, Queue::Ray, Stage::Intersect);
+        if (batch.bounce == 0 && batch.round == 0 && k.layers) recordLayers(band, batch);
+        if (meetsBeyond(batch.bounce)) stage(k.miss, Queue::Miss, Stage::Miss);
+        for (std::size_t group = 0; group < k.shade.size(); ++group)
+            if (k.shade[group]) stage(*k.shade[group], kHitQueues[group], kShadeStages[group]);
+        if (k.shadow && hasShadowRays(options.params, batch.bounce)) stage(*k.shadow, Queue::Shadow, Stage::Shadow);
     }
 }
 

@@ -25,6 +25,7 @@ WavefrontStats zeroStats() {
 /// Takes out the stages that have no kernel.
 void dropAbsent(WavefrontStats& stats, const WavefrontKernels& kernels) {
     if (!kernels.layers) stats.stages.pop_back();
+    if (!kernels.shadow) stats.stages.erase(stats.stages.begin() + static_cast<std::ptrdiff_t>(Stage::Shadow));
     for (std::size_t group = kernels.shade.size(); group-- > 0;)
         if (!kernels.shade[group])
             stats.stages.erase(stats.stages.begin() + static_cast<std::ptrdiff_t>(kShadeStages[group]));
@@ -137,6 +138,11 @@ ObservedFilm WavefrontRenderer::observe(std::uint32_t firstPixel, std::uint32_t 
                     fmt::format("{} samples of {} pixels are more than one batch", samples, pixelCount));
     r.clearFilm();
     WavefrontStats stats = zeroStats();
+    if (r.kernelOptions.inlineShadows && !r.apart) {
+        KernelOptions apart = r.kernelOptions;
+        apart.inlineShadows = false;
+        r.apart.emplace(r.makeKernels(apart));
+    }
     const Impl::Watch watch(r, observer);
     r.renderBatch(*band,
                   {.firstPixel = firstPixel,

@@ -43,7 +43,10 @@ struct WavefrontRenderer::Impl {
     std::uint32_t capacity;
     bool texels, stateTexel, ballot;
     MemoryPlan plan;
+    SceneFeatures features;
+    KernelOptions kernelOptions;
     WavefrontKernels kernels;
+    std::optional<WavefrontKernels> apart;  ///< the same with a stage for shadow rays, once an observer asked for it
     Buffer frame, scene, dummy, state, counters, freshCounters, readback;
     TexelView sceneTexels, stateTexels;
     std::vector<FilmBand> bands;
@@ -61,6 +64,9 @@ struct WavefrontRenderer::Impl {
     void recordBounces(const FilmBand& band, BatchParams batch, std::uint32_t begin, std::uint32_t end);
     void recordLayers(const FilmBand& band, const BatchParams& batch);
     void recordEnd(const FilmBand& band, const BatchParams& batch);
+    [[nodiscard]] KernelOptions chooseKernels(const SceneArrays& arrays) const;
+    [[nodiscard]] WavefrontKernels makeKernels(const KernelOptions& o);
+    [[nodiscard]] const WavefrontKernels& active() const { return observer != nullptr && apart ? *apart : kernels; }
     [[nodiscard]] bool meetsBeyond(std::uint32_t bounce) const;
     void finish(Stage stage, const BatchParams& batch);
     void show(Stage stage, const BatchParams& batch);

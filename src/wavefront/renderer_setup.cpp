@@ -68,23 +68,37 @@ WavefrontRenderer::Impl::Impl(const SceneArrays& arrays, const RenderOptions& re
       texels(useTexels(device, config.fetch, layout.bytes)),
       stateTexel(useCpuForms(device, config.fetch) && TexelView::fits(device, stateBytes(capacity))),
       ballot(config.ballot && device.info().subgroupBallot),
-      kernels(
-          device, config.kernels ? config.kernels : SpirvSource(kernelSpirv), arrays.features, layout.header,
-          {.sampler = options.sampler,
-           .lastIndex = lastIndex(options),
-           .setSamples = setSamples(options),
-           .fetchTexel = texels,
-           .useBallot = ballot,
-           .stateTexel = stateTexel,
-           .listTriangles = useCpuForms(device, config.fetch) ? listTriangles(arrays, options.params.integrator) : 0,
-           .stackEntries = useCpuForms(device, config.fetch) ? stackEntries(arrays) : kMaxStackEntries,
-           .film = filmLayout,
-           .params = options.params}),
+      features(arrays.features),
+      kernelOptions(chooseKernels(arrays)),
+      kernels(makeKernels(kernelOptions)),
       recorder(device, config.timings ? (kStageNames.size() - 3) * kBouncesPerSubmit + 5 : 0),
       pathsPerBatch(capacity) {
     const auto start = Clock::now();
     createBuffers(arrays);
     uploadSeconds = secondsSince(start);
+}
+
+/// Where few triangles are searched whole, shadow rays are traced where they begin: nearly every vertex has one, and
+/// storing them costs as much as tracing them.
+KernelOptions WavefrontRenderer::Impl::chooseKernels(const SceneArrays& arrays) const {
+    const std::uint32_t integrator = options.params.integrator;
+    KernelOptions o{.sampler = options.sampler,
+                    .lastIndex = lastIndex(options),
+                    .setSamples = setSamples(options),
+                    .fetchTexel = texels,
+                    .useBallot = ballot,
+                    .stateTexel = stateTexel,
+                    .film = filmLayout,
+                    .params = options.params};
+    if (!useCpuForms(device, config.fetch)) return o;
+    o.listTriangles = listTriangles(arrays, integrator);
+    o.stackEntries = stackEntries(arrays);
+    o.inlineShadows = o.listTriangles > 0 && !needsNoBsdf(integrator);
+    return o;
+}
+
+WavefrontKernels WavefrontRenderer::Impl::makeKernels(const KernelOptions& o) {
+    return {device, config.kernels ? config.kernels : SpirvSource(kernelSpirv), features, layout.header, o};
 }
 
 void WavefrontRenderer::Impl::createBuffers(const SceneArrays& arrays) {

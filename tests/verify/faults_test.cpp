@@ -51,6 +51,7 @@ constexpr std::array kNeeds = {
              g.scene.materials[0].flags |= kMaterialUnlit;
              g.scene.features.unlit = true;
          }},
+    Need{"few triangles", [](Ground& g) { g.scene = makeArrays(makeLamps()); }},
     Need{"panorama", [](Ground& g) { setProjection(g.options.params, kProjectionPanorama, 1); }},
     Need{"thin lens",
          [](Ground& g) {

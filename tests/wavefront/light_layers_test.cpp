@@ -161,6 +161,14 @@ TEST(LightLayers, TheLastTakesAllLongerPaths) {
     }
 }
 
+TEST(LightLayers, OfShadowRaysWithAStageOfTheirOwnAreTheSame) {
+    WavefrontConfig config = makeConfig();
+    config.fetch = WavefrontConfig::Fetch::Texel;
+    const Film inside = renderWith(room(), sorted(), config);
+    config.fetch = WavefrontConfig::Fetch::Storage;
+    EXPECT_TRUE(isSame(inside, renderWith(room(), sorted(), config)));
+}
+
 TEST(LightLayers, RangesSlotsAndBatchesDoNotChangeThem) {
     WavefrontConfig config = makeConfig();
     config.pathsInFlight = 500;

@@ -28,11 +28,21 @@ TEST(Renderer, FetchFormsGiveTheSameFilmToTheBit) {
     }
 }
 
-TEST(Renderer, ListAndTreeGiveTheSameFilmToTheBit) {  // where there is a list, storage buffers still hold the tree
+// Where there is a list, storage buffers still hold the tree, and shadow rays have a stage of their own.
+TEST(Renderer, ListAndTreeGiveTheSameFilmToTheBit) {
     const SceneArrays arrays = makeArrays(makeLamps());
-    const RenderOptions options = makeOptions(48, 32, 16);
+    RenderOptions options = makeOptions(48, 32, 16);
     ASSERT_EQ(listTriangles(arrays, options.params.integrator), arrays.triangles.size());
     EXPECT_TRUE(fetchFormsAgree(arrays, options));
+    options.params.clampIndirect = 0.2F;
+    EXPECT_TRUE(fetchFormsAgree(arrays, options)) << "clamped";
+    options.params.clampIndirect = 0;
+    for (const IntegratorId integrator : {IntegratorId::Direct, IntegratorId::Ao, IntegratorId::LightProbability}) {
+        options.params.integrator = static_cast<std::uint32_t>(integrator);
+        options.params.bsdfSamples = 2;
+        options.params.lightSamples = 3;
+        EXPECT_TRUE(fetchFormsAgree(arrays, options)) << "integrator " << options.params.integrator;
+    }
 }
 
 TEST(Renderer, ShallowAndDeepStacksGiveTheSameFilmToTheBit) {
@@ -145,6 +155,20 @@ TEST(Renderer, ObservedBatchesGiveTheSumsOfTheFilm) {
     EXPECT_TRUE(layers.empty());
     EXPECT_TRUE(isSame(renderer.render({}), film)) << "and change nothing afterwards";
     EXPECT_THROW((void)renderer.observe(24, 24 * 20, {}), Error) << "beyond the film";
+}
+
+TEST(Renderer, ObserversSeeShadowRaysThatAreTracedInsideOtherwise) {
+    const SceneArrays arrays = makeArrays(makeLamps());
+    WavefrontRenderer renderer(arrays, makeOptions(24, 20, 4), makeConfig());
+    const Film film = renderer.render({});
+    std::uint32_t shadows = 0;
+    const auto [sums, layers] = renderer.observe(240, 48, [&](const StageSnapshot& snapshot) {
+        if (snapshot.stage == Stage::Shadow) shadows += snapshot.queueSize(snapshot.batch.bounce, Queue::Shadow);
+    });
+    EXPECT_GT(shadows, 48U);
+    ASSERT_EQ(sums.size(), 48U);
+    EXPECT_EQ(std::memcmp(sums.data(), film.sums.data() + 240, sums.size() * sizeof(FilmSums)), 0);
+    EXPECT_TRUE(isSame(renderer.render({}), film));
 }
 
 struct Length {

@@ -23,7 +23,7 @@ std::uint32_t expectedBeta(const RenderParams& p) {
 }
 
 /// All constants by name, in the order in which the probe writes them.
-std::array<Named, 46> namesAndValues(const Constants& c) {
+std::array<Named, 47> namesAndValues(const Constants& c) {
     const auto& [f, h, o] = c;
     const auto flag = [](bool b) { return b ? 1U : 0U; };
     return {Named{"kSampler", static_cast<std::uint32_t>(o.sampler.id)},
@@ -71,7 +71,8 @@ std::array<Named, 46> namesAndValues(const Constants& c) {
             {"kLengthLayers", std::max(o.film.light().lengths, 1U)},
             {"kGroupWord", o.film.groupWord()},
             {"kListTriangles", o.listTriangles},
-            {"kStackEntries", o.stackEntries}};
+            {"kStackEntries", o.stackEntries},
+            {"kInlineShadows", flag(o.inlineShadows)}};
 }
 
 /// Round `bit` of a set in which no two flags are the same in all rounds; the numbers differ in any.
@@ -81,7 +82,7 @@ Constants makeConstants(std::uint32_t bit) {
     std::uint32_t number = 0;
     for (bool* flag : {&f.instances, &f.alpha, &f.textureTransforms, &f.vertexExtras, &f.triangleLights,
                        &f.texturedEmission, &f.punctualLights, &f.environment, &f.unlit, &f.multiscatter, &f.media,
-                       &o.fetchTexel, &o.useBallot, &o.stateTexel})
+                       &o.fetchTexel, &o.useBallot, &o.stateTexel, &o.inlineShadows})
         *flag = (++number >> bit & 1U) != 0;
     f.maps = 13;
     f.bsdfModels = 1U << static_cast<std::uint32_t>(BsdfId::Eon) | 1U << static_cast<std::uint32_t>(BsdfId::Dielectric);
@@ -111,7 +112,7 @@ Constants makeConstants(std::uint32_t bit) {
 }  // namespace
 
 void checkSpecialization(VerifyContext& context, Findings& findings) {
-    constexpr std::uint32_t kRounds = 5;  // 17 flags
+    constexpr std::uint32_t kRounds = 5;  // 18 flags
     for (std::uint32_t round = 0; round < kRounds; ++round) {
         const Constants constants = makeConstants(round);
         ProbeOptions options;
