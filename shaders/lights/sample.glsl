@@ -30,7 +30,7 @@ SphericalTriangle seenFrom(LightRecord light, vec3 from) {
 // Density of its samples per steradian, choice included; 0 where p is behind it or in its plane.
 float triangleLightPdf(LightRecord light, SphericalTriangle seen) {
     float height = light.kind == kLightTriangleTwoSided ? abs(seen.height) : seen.height;
-    return height > light.offset ? light.pmf / seen.solidAngle : 0.0;
+    return height > light.offset && seen.solidAngle > 0.0 ? light.pmf / seen.solidAngle : 0.0;
 }
 
 LightSample sampleTriangleLight(LightRecord light, vec3 from, vec2 u) {

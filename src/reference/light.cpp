@@ -15,7 +15,8 @@ SphericalTriangle<float> seenFrom(const LightRecord& light, const glm::vec3& fro
 /// Per steradian, the choice of the light included. In the plane itself rounding would decide: there it is 0, too.
 float densityOf(const LightRecord& light, const SphericalTriangle<float>& seen) {
     const bool isBehind = seen.height() < -light.offset && light.kind == kLightTriangleTwoSided;
-    return seen.height() > light.offset || isBehind ? light.pmf / seen.solidAngle() : 0;
+    const bool isLit = (seen.height() > light.offset || isBehind) && seen.solidAngle() > 0;
+    return isLit ? light.pmf / seen.solidAngle() : 0;
 }
 
 }  // namespace

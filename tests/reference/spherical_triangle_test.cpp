@@ -99,6 +99,21 @@ TEST(SphericalTriangle, PointsAreUniformInSolidAngle) {
     }
 }
 
+// Seen from just off their plane arcs vanish or become half circles, to floats: points and solid angles stay finite.
+TEST(SphericalTriangle, GrazingOnesStayFinite) {
+    for (std::uint32_t i = 0; i < 200000; ++i) {
+        const auto number = [&](std::uint32_t k) { return toUnit(hash({i, k, 0, 46}).x) - 0.5F; };
+        const glm::vec3 a(number(0), number(1), 0), b(number(2), number(3), 0), c(number(4), number(5), 0);
+        const glm::vec3 from(number(6) * 2, number(7) * 2, std::ldexp(1.0F, -static_cast<int>(i % 24)));
+        const SphericalTriangle<float> seen(a - from, b - from, c - from);
+        const glm::vec3 point = seen.point(glm::vec2(pairOfNumbers(i)));
+        ASSERT_TRUE(seen.solidAngle() >= 0 && seen.solidAngle() <= 6.2832F) << i;
+        if (seen.solidAngle() > 0) {
+            ASSERT_NEAR(point.x + point.y + point.z, 1, 1e-5) << i;
+        }
+    }
+}
+
 // What is rendered follows its truth, however thin, small or wide the triangle is seen. Barycentrics are rounded, so a
 // point is off by some 1e-7 of the largest corner's distance.
 TEST(SphericalTriangle, FloatKeepsToDouble) {

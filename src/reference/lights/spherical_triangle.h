@@ -7,10 +7,11 @@
 
 namespace vkpt::reference {
 
-/// tan(t/2) of the angle t between two vectors of any length.
+/// tan(t/2) of the angle t between two vectors of any length; finite where they are opposite, too.
 template <class Real>
 [[nodiscard]] Real tangentOfHalf(const Vec3<Real>& u, const Vec3<Real>& v) {
-    return glm::length(glm::cross(u, v)) / (glm::length(u) * glm::length(v) + glm::dot(u, v));
+    const Real lengths = glm::length(u) * glm::length(v);
+    return glm::length(glm::cross(u, v)) / std::max(lengths + glm::dot(u, v), Real(1e-14) * lengths);
 }
 
 template <class Real>
@@ -57,8 +58,9 @@ private:
         const Vec3<Real> normal = glm::cross(u, v);
         const Real cosine = (1 - tangent * tangent) / (1 + tangent * tangent),
                    sine = 2 * tangent / (1 + tangent * tangent);
-        const Real part = sine / glm::length(normal);
-        const Real lengthU = glm::length(u);
+        const Real lengthU = glm::length(u), area = glm::length(normal);
+        if (!(area > 0)) return {1 / lengthU, 0};  // a triangle seen edge-on: the arc has no length
+        const Real part = sine / area;
         return {cosine / lengthU - part * glm::dot(u, v) / lengthU, part * lengthU};
     }
 
