@@ -24,10 +24,10 @@ vec3 triangleLightEmission(LightRecord light, vec2 b01) {
 
 // A triangle light as `from` sees it.
 SphericalTriangle seenFrom(LightRecord light, vec3 from) {
-    return makeSphericalTriangle(light.a - from, light.b - from, light.c - from);
+    return makeSphericalTriangle(from, light.a, light.b, light.c);
 }
 
-// Density of its samples per steradian, choice included; 0 where p is behind it or in its plane.
+// Density of its samples per steradian, choice included; 0 from behind it and from within its offset of its plane.
 float triangleLightPdf(LightRecord light, SphericalTriangle seen) {
     float height = light.kind == kLightTriangleTwoSided ? abs(seen.height) : seen.height;
     return height > light.offset && seen.solidAngle > 0.0 ? light.pmf / seen.solidAngle : 0.0;

@@ -9,7 +9,7 @@ namespace vkpt::reference {
 namespace {
 
 SphericalTriangle<float> seenFrom(const LightRecord& light, const glm::vec3& from) {
-    return {light.a - from, light.b - from, light.c - from};
+    return {from, light.a, light.b, light.c};
 }
 
 /// Per steradian, the choice of the light included. In the plane itself rounding would decide: there it is 0, too.

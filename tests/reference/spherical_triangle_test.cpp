@@ -25,20 +25,24 @@ double lHuilier(const Corners& corners) {
 }
 
 template <class Real>
-SphericalTriangle<Real> make(const Corners& c) {
-    return {Vec3<Real>(c[0]), Vec3<Real>(c[1]), Vec3<Real>(c[2])};
+SphericalTriangle<Real> make(const Corners& c, const glm::dvec3& from = glm::dvec3(0)) {
+    return {Vec3<Real>(from), Vec3<Real>(c[0]), Vec3<Real>(c[1]), Vec3<Real>(c[2])};
 }
 
-/// From a far and small one to one that fills the view, and slivers along either side.
+/// What floats can hold, so that a float triangle and its truth are of the same corners.
+glm::dvec3 rounded(const glm::dvec3& v) { return glm::dvec3(glm::vec3(v)); }
+Corners rounded(const Corners& c) { return {rounded(c[0]), rounded(c[1]), rounded(c[2])}; }
+
+/// From a far and small one to one that fills the view, and slivers along either side; of digits that no product keeps.
 const std::array kTriangles{
     Corners{glm::dvec3(1, 0, 0), {0, 1, 0}, {0, 0, 1}},
-    Corners{glm::dvec3(-1, -1, -2), {2, -1, -2}, {0, 1.5, -2}},
-    Corners{glm::dvec3(-40, -30, -0.0625), {35, -30, -0.0625}, {0, 45, -0.0625}},
-    Corners{glm::dvec3(0.25, 0.125, -3), {0.2578125, 0.125, -3}, {0.25, 0.140625, -3.0078125}},
-    Corners{glm::dvec3(5, 7, -900), {5.0078125, 7, -900}, {5, 7.015625, -900.0078125}},
-    Corners{glm::dvec3(-8, 0, -1), {8, 0, -1}, {8, 0.001, -1}},
-    Corners{glm::dvec3(-8, 0, -1), {8, 0, -1}, {-8, 0.001, -1}},
-    Corners{glm::dvec3(0.02, 0.5, -0.6), {3, 0.4, -2}, {1, -6, 0.5}},
+    rounded(Corners{glm::dvec3(-1.1, -1.1, -2.2), {2.2, -1.1, -2.2}, {0, 1.7, -2.3}}),
+    rounded(Corners{glm::dvec3(-40.3, -30.1, -0.0626), {35.7, -30.1, -0.0626}, {0.3, 45.2, -0.0626}}),
+    rounded(Corners{glm::dvec3(0.27, 0.13, -3.1), {0.2786, 0.13, -3.1}, {0.27, 0.1464, -3.1081}}),
+    rounded(Corners{glm::dvec3(5.1, 7.3, -900.7), {5.113, 7.3, -900.7}, {5.1, 7.317, -900.711}}),
+    rounded(Corners{glm::dvec3(-8.3, 0, -1.1), {8.3, 0, -1.1}, {8.3, 0.0011, -1.1}}),
+    rounded(Corners{glm::dvec3(-8.3, 0, -1.1), {8.3, 0, -1.1}, {-8.3, 0.0011, -1.1}}),
+    rounded(Corners{glm::dvec3(0.02, 0.5, -0.6), {3, 0.4, -2}, {1, -6, 0.5}}),
 };
 
 glm::dvec2 pairOfNumbers(std::uint32_t i) {
@@ -105,7 +109,7 @@ TEST(SphericalTriangle, GrazingOnesStayFinite) {
         const auto number = [&](std::uint32_t k) { return toUnit(hash({i, k, 0, 46}).x) - 0.5F; };
         const glm::vec3 a(number(0), number(1), 0), b(number(2), number(3), 0), c(number(4), number(5), 0);
         const glm::vec3 from(number(6) * 2, number(7) * 2, std::ldexp(1.0F, -static_cast<int>(i % 24)));
-        const SphericalTriangle<float> seen(a - from, b - from, c - from);
+        const SphericalTriangle<float> seen(from, a, b, c);
         const glm::vec3 point = seen.point(glm::vec2(pairOfNumbers(i)));
         ASSERT_TRUE(seen.solidAngle() >= 0 && seen.solidAngle() <= 6.2832F) << i;
         if (seen.solidAngle() > 0) {
@@ -118,17 +122,62 @@ TEST(SphericalTriangle, GrazingOnesStayFinite) {
 // point is off by some 1e-7 of the largest corner's distance.
 TEST(SphericalTriangle, FloatKeepsToDouble) {
     for (const Corners& corners : kTriangles) {
-        const auto rounded = make<float>(corners);
+        const auto inFloat = make<float>(corners);
         const auto exact = make<double>(corners);
         const double reach = std::max({glm::length(corners[0]), glm::length(corners[1]), glm::length(corners[2])});
         const auto at = [&](const glm::dvec3& b) { return b.x * corners[0] + b.y * corners[1] + b.z * corners[2]; };
         for (std::uint32_t i = 0; i < 10000; ++i) {
             const glm::dvec2 u = pairOfNumbers(i);
-            const glm::dvec3 a = at(rounded.point(glm::vec2(u))), b = at(exact.point(u));
+            const glm::dvec3 a = at(inFloat.point(glm::vec2(u))), b = at(exact.point(u));
             EXPECT_LT(glm::distance(glm::normalize(a), glm::normalize(b)), 2e-5 + 3e-7 * reach / glm::length(b))
                 << "first corner " << corners[0].x << ", u " << u.x << ' ' << u.y;
         }
     }
+}
+
+// A small light keeps its solid angle at any distance from the origin and from the point.
+TEST(SphericalTriangle, SmallOnesFarAwayKeepTheirDigits) {
+    for (std::uint32_t i = 0; i < 5000; ++i) {
+        const auto number = [&](std::uint32_t k) { return toUnit(hash({i, k, 0, 47}).x) - 0.5; };
+        const double size = std::ldexp(1.0, -static_cast<int>(i % 16)), far = 10 + 3 * number(0);
+        const glm::dvec3 from = rounded({number(1), number(2), number(3)});
+        const auto corner = [&](std::uint32_t k) {
+            return glm::dvec3(far + size * number(k), 5 + size * number(k + 1), size * number(k + 2));
+        };
+        const Corners corners = rounded(Corners{corner(4), corner(7), corner(10)});
+        const double truth = make<double>(corners, from).solidAngle();
+        const glm::dvec3 n = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+        const double elevation = std::abs(glm::dot(glm::normalize(n), glm::normalize(corners[0] - from)));
+        if (!(elevation > 0.01)) continue;
+        EXPECT_NEAR(make<float>(corners, from).solidAngle() / truth, 1, 4e-7 / elevation + 1e-6)
+            << i << ", size " << size;
+    }
+}
+
+// Beside an edge two corners are nearly opposite. What a surface that faces the light there gets of it is right.
+TEST(SphericalTriangle, ItsLightIsRightBesideItsEdges) {
+    const Corners corners = rounded(Corners{glm::dvec3(-1.03, -0.37, 0.11), {0.93, -0.41, 0.07}, {-0.17, 1.23, 0.19}});
+    const glm::dvec3 normal = glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+    for (std::size_t edge = 0; edge < 3; ++edge)
+        for (double nearness = 50; nearness < 4e4; nearness *= 5) {
+            const glm::dvec3 along = corners[(edge + 1) % 3] - corners[edge], foot = corners[edge] + 0.47 * along,
+                             from = rounded(foot + glm::length(along) / nearness * normal),
+                             facing = glm::normalize(glm::cross(normal, along));
+            const auto inFloat = make<float>(corners, from);
+            const auto exact = make<double>(corners, from);
+            double sumFloat = 0, sumExact = 0;
+            for (std::uint32_t i = 0; i < 20000; ++i) {
+                const auto cosine = [&](const glm::dvec3& b) {
+                    const glm::dvec3 point = b.x * corners[0] + b.y * corners[1] + b.z * corners[2];
+                    return std::max(0.0, glm::dot(facing, glm::normalize(point - from)));
+                };
+                const glm::dvec2 u = pairOfNumbers(i);
+                sumFloat += cosine(inFloat.point(glm::vec2(u)));
+                sumExact += cosine(exact.point(u));
+            }
+            EXPECT_NEAR(inFloat.solidAngle() / exact.solidAngle(), 1, 1e-3) << edge << ' ' << nearness;
+            EXPECT_NEAR(sumFloat / sumExact, 1, 2e-3) << edge << ' ' << nearness;
+        }
 }
 
 }  // namespace

@@ -1,34 +1,38 @@
 // Emissive triangles as a point sees them: spherical triangles, by the sides and the angle that meet at the first
-// corner. Half-angle tangents throughout, so that neither small triangles nor hemispheres lose digits.
+// corner. Half-angle tangents throughout: they keep their digits where a triangle is small, and where two corners are
+// nearly opposite, as from beside an edge.
 #pragma once
 #include <algorithm>
+#include <cmath>
 
 #include "reference/angle.h"
 
 namespace vkpt::reference {
 
-/// tan(t/2) of the angle t between two vectors of any length; finite where they are opposite, too.
+/// tan(t/2) of an angle by its sine and cosine, both times the same length; infinite where it is half a turn.
 template <class Real>
-[[nodiscard]] Real tangentOfHalf(const Vec3<Real>& u, const Vec3<Real>& v) {
-    const Real lengths = glm::length(u) * glm::length(v);
-    return glm::length(glm::cross(u, v)) / std::max(lengths + glm::dot(u, v), Real(1e-14) * lengths);
+[[nodiscard]] Real tangentOfHalf(Real sine, Real cosine) {
+    const Real length = std::hypot(sine, cosine);
+    return cosine < 0 ? (length - cosine) / sine : sine / (length + cosine);
 }
 
 template <class Real>
 class SphericalTriangle {
 public:
-    /// Corners relative to the point, metres.
-    SphericalTriangle(const Vec3<Real>& a, const Vec3<Real>& b, const Vec3<Real>& c) : a_(a), b_(b), c_(c) {
-        const Vec3<Real> n = glm::cross(b - a, c - a);
-        const Real volume = glm::dot(a, n), y = glm::length(a) * std::abs(volume),
-                   x = glm::dot(glm::cross(a, b), glm::cross(a, c));
+    /// Of the corners a, b, c, as seen from a point; metres.
+    SphericalTriangle(const Vec3<Real>& from, const Vec3<Real>& a, const Vec3<Real>& b, const Vec3<Real>& c)
+        : a_(a - from), b_(b - from), c_(c - from) {
+        // Sides as they are, not differences of directions, which have few digits where the triangle is far away.
+        const Vec3<Real> ab = b - a, ac = c - a, n = glm::cross(ab, ac), toB = glm::cross(a_, ab),
+                         toC = glm::cross(a_, ac);
+        const Real volume = glm::dot(a_, n), y = glm::length(a_) * std::abs(volume), x = glm::dot(toB, toC);
         if (!(y > 0)) return;
         const Real length = std::hypot(x, y);
         height_ = -volume / glm::length(n);
         cosA_ = x / length;
         sinA_ = y / length;
-        tanAB_ = tangentOfHalf(a, b);
-        const Real product = tanAB_ * tangentOfHalf(a, c);
+        tanAB_ = tangentOfHalf(glm::length(toB), glm::dot(a_, b_));
+        const Real product = tanAB_ * tangentOfHalf(glm::length(toC), glm::dot(a_, c_));
         solidAngle_ = 2 * arcTangent2(product * sinA_, 1 + product * cosA_);
     }
 
@@ -46,7 +50,8 @@ public:
         const Vec2<Real> onAC = onArc(a_, c_, tanAX);
         const Vec3<Real> x = onAC.x * a_ + onAC.y * c_;
         // 1 - cos t = 2 sin^2(t/2) is u.y of that of the side from b to x.
-        const Real whole = tangentOfHalf(b_, x), sine2 = u.y * whole * whole / (1 + whole * whole);
+        const Real whole = tangentOfHalf(glm::length(glm::cross(b_, x)), glm::dot(b_, x)),
+                   sine2 = u.y / (1 + 1 / (whole * whole));
         const Vec2<Real> onBX = onArc(b_, x, std::sqrt(sine2 / (1 - sine2)));
         const Vec3<Real> weights = glm::max(Vec3<Real>(onBX.y * onAC.x, onBX.x, onBX.y * onAC.y), Vec3<Real>(0));
         return weights / (weights.x + weights.y + weights.z);

@@ -13,7 +13,7 @@ namespace {
 
 struct In {
     glm::vec3 from;
-    float unused = 0;
+    float nearness = 0;  ///< to the edge of a light: its length over the distance
     glm::uvec4 bits{0};
 };
 struct Out {
@@ -33,6 +33,31 @@ std::vector<In> pointsAmong(int count, std::uint32_t seed) {
     return inputs;
 }
 
+/// Points close to the edges of each triangle light, on either side, where it covers half of the view; with numbers
+/// that choose it.
+std::vector<In> pointsAtEdges(const SceneArrays& arrays, std::uint32_t seed) {
+    std::vector<In> inputs;
+    RandomInputs random(seed);
+    for (std::size_t i = 0; i < arrays.lights.size(); ++i) {
+        const LightRecord& light = arrays.lights[i];
+        if (light.kind > kLightTriangleTwoSided) continue;
+        const float before = i > 0 ? arrays.lightCdf[i - 1] : 0, after = arrays.lightCdf[i];
+        const std::array corners = {light.a, light.b, light.c};
+        const glm::vec3 normal = glm::normalize(glm::cross(light.b - light.a, light.c - light.a));
+        for (std::size_t edge = 0; edge < 3; ++edge)
+            for (float nearness = 50; nearness < 4e4F; nearness *= 5)
+                for (int k = 0; k < 100; ++k) {
+                    const glm::vec3 from = corners[edge], along = corners[(edge + 1) % 3] - from;
+                    const float height = glm::length(along) / nearness * (k % 2 == 0 ? 1.0F : -1.0F);
+                    const double choice = random.between(before, after);
+                    inputs.push_back({from + along * random.between(0.3F, 0.7F) + normal * height,
+                                      nearness,
+                                      {static_cast<std::uint32_t>(choice * 0x1p32), random.bits(), 0, 0}});
+                }
+    }
+    return inputs;
+}
+
 const LightRecord& chosenLight(const SceneArrays& arrays, const In& in) {
     return arrays.lights[reference::sampleTable(arrays.lightCdf, reference::toUnit(in.bits.x)).index];
 }
@@ -43,13 +68,15 @@ double elevationAt(const LightRecord& light, const glm::dvec3& from) {
     return std::abs(glm::dot(glm::normalize(n), glm::normalize(from - a)));
 }
 
-/// Directions: the rounding of the point on the light, 3e-7 of its size, over the distance. The pdf of a triangle is in
-/// inverse proportion to its elevation, which is rounded to a few ulps of 1; that of the sky is read from a table.
+/// Directions: the rounding of the point on the light, 3e-7 of its size, over the distance; beside an edge, that of the
+/// directions of corners, magnified by the nearness. The pdf of a triangle is in inverse proportion to its elevation,
+/// which is rounded to a few ulps of 1; that of the sky is read from a table.
 void compareSample(const LightRecord& light, const reference::LightSample& expected, const In& in, const Out& out,
                    Findings& findings) {
     const bool triangle = light.kind <= kLightTriangleTwoSided, sky = light.kind == kLightEnvironment;
     const double distance = expected.infinite ? 1 : glm::distance(expected.end, in.from);
-    const double angle = sky ? 2e-5 : 1e-6 + 3e-6 / distance;
+    const double magnified = 1e-6 * double{in.nearness};
+    const double angle = sky ? 2e-5 : 1e-6 + 3e-6 / distance + magnified;
     const double pdfError = triangle ? 1e-6 / elevationAt(light, glm::dvec3(in.from)) : 4 * angle;
     findings.near("wi", out.wi, expected.wi, angle);
     findings.near("pdf", out.pdf, expected.pdf, 0, 1e-5 + pdfError);
@@ -57,7 +84,7 @@ void compareSample(const LightRecord& light, const reference::LightSample& expec
     findings.equal("infinite", out.infinite != 0, expected.infinite);
     findings.equal("delta", out.delta != 0, expected.punctual);
     findings.near("target", out.target, expected.infinite ? expected.wi : expected.end,
-                  expected.infinite ? angle : 2e-6);
+                  expected.infinite ? angle : 2e-6 + magnified * distance);
 }
 
 /// Counts the samples of each kind that bring light.
@@ -91,6 +118,7 @@ void compareEveryKind(Prober& prober, Findings& findings) {
     RandomInputs random(40);
     for (int i = 0; i < 24; ++i) map.texels.push_back(random.inBox({0, 0, 0}, {1, 1, 1}));
     addEnvironment(arrays, map, 3, 25);
+    compareSamples(prober, findings, arrays, pointsAtEdges(arrays, 44));
     const Lit lit = compareSamples(prober, findings, arrays, pointsAmong(16000, 41));
     for (const int count : lit) findings.atLeast("samples lit by each kind", count, 31);
 }
