@@ -14,6 +14,6 @@ float weightOfLightSample(float pdfLight, float pdfBsdf) {
 // Of a light that light samples reach, too, and that a BSDF sample met. pdfBsdf is negative for camera rays and mirrors.
 float weightOfBsdfSample(float pdfBsdf, float pdfLight) {
     if (pdfBsdf < 0.0 || kStrategy == kStrategyBsdf) return 1.0;
-    if (kStrategy == kStrategyLight) return 0.0;
+    if (kStrategy == kStrategyLight) return pdfLight > 0.0 ? 0.0 : 1.0;
     return misWeight(bsdfSamples() * pdfBsdf, lightSamples() * pdfLight, render.beta);
 }

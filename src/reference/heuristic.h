@@ -33,7 +33,7 @@ public:
     /// Of emission that a ray met by chance. `isLight`: light samples could have found it, with density pdfLight.
     [[nodiscard]] float ofEmission(float pdfBsdf, bool isLight, float pdfLight) const {
         if (!isLight || std::isinf(pdfBsdf)) return 1;
-        if (strategy_ == kStrategyLight) return 0;
+        if (strategy_ == kStrategyLight) return pdfLight > 0 ? 0 : 1;
         return misWeight(static_cast<float>(bsdfSamples()), pdfBsdf, static_cast<float>(lightSamples()), pdfLight,
                          beta_);
     }

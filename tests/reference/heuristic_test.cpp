@@ -54,6 +54,7 @@ TEST(Heuristic, StrategiesCountLightOnce) {
     EXPECT_EQ(chance.ofEmission(3, true, 1), 1);
     EXPECT_EQ(light.ofLight(3, 1), 1);
     EXPECT_EQ(light.ofEmission(3, true, 1), 0);
+    EXPECT_EQ(light.ofEmission(3, true, 0), 1) << "in the plane of a light";
     EXPECT_EQ(light.ofEmission(3, false, 0), 1) << "no light sample finds it";
     for (const Heuristic& h : {balance, power, chance, light}) {
         EXPECT_EQ(h.ofEmission(kInfinity, true, 1), 1) << "after a mirror";
