@@ -1,8 +1,8 @@
 #version 460
-// In: three channels, what was met; a sum a channel. Out: addContributions' sums; toFixedPoint of the channels;
+// In: three channels, what was met; a sum a channel; three channels more. Out: addContributions' sums; toFixedPoint of the channels;
 // addFixed of the red and green sums; refused.
 #extension GL_GOOGLE_include_directive : require
-const uint kInputWords = 4u, kOutputWords = 7u;
+const uint kInputWords = 5u, kOutputWords = 7u;
 #include "probes/probe.glsl"
 layout(std430, binding = 2) buffer Counters { uint counters[]; };
 const uint kRefused = 0u, kStateRed = 0u, kStateGreen = 1u, kStateBlue = 2u;
@@ -16,7 +16,7 @@ void main() {
     vec4 c = inputFloat(0u);
     for (uint i = 0u; i < 3u; ++i) pathState[i] = inputWord(1u + i);
     putWord(6u, uvec4(addFixed(pathState[0].xyz, pathState[1].xyz), isRefused(c.rgb) ? 1u : 0u));
-    addContributions(gl_GlobalInvocationID.x, c.rgb, vec3(0.0), false, uint(c.a));
+    addContributions(gl_GlobalInvocationID.x, c.rgb, inputFloat(4u).rgb, false, uint(c.a));
     for (uint i = 0u; i < 3u; ++i) {
         putWord(i, pathState[i]);
         putWord(3u + i, uvec4(toFixedPoint(c[i]), 0u));

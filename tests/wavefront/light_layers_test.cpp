@@ -7,6 +7,7 @@
 #include "film/wide_integer.h"
 #include "reference/render.h"
 #include "scene/light_groups.h"
+#include "wavefront/kernels.h"
 #include "wavefront/render_helpers.h"
 
 namespace vkpt {
@@ -162,6 +163,7 @@ TEST(LightLayers, TheLastTakesAllLongerPaths) {
 }
 
 TEST(LightLayers, OfShadowRaysWithAStageOfTheirOwnAreTheSame) {
+    ASSERT_GT(listTriangles(room(), sorted().params.integrator), 0U) << "shade would not trace them";
     WavefrontConfig config = makeConfig();
     config.fetch = WavefrontConfig::Fetch::Texel;
     const Film inside = renderWith(room(), sorted(), config);

@@ -21,6 +21,7 @@ struct In {
     glm::vec3 color{0};
     float met = 0;  ///< kMet* of shaders/kernels/contribution.glsl
     glm::uvec4 sums[3]{};
+    glm::vec4 second{0};  ///< the other contribution
 };
 struct Out {
     glm::uvec4 sums[3], fixed[3];
@@ -48,7 +49,7 @@ Result run(Prober& prober, const std::vector<In>& inputs, std::uint32_t filter =
 
 /// Names inputs by their colours.
 auto colorsOf(Findings& findings, const std::vector<In>& inputs) {
-    return findings.inputs([&](std::size_t i) { return "addContribution of " + show(inputs[i].color); });
+    return findings.inputs([&](std::size_t i) { return "addContributions of " + show(inputs[i].color); });
 }
 
 /// floor(value x 2^48 + 1/2) of 0 <= value < 2^40.
@@ -199,10 +200,41 @@ void compareRefusals(Prober& prober, Findings& findings, std::uint32_t filter) {
     findings.equal("count of refusals", refused, inputs.size());
 }
 
+/// Two contributions at once: what is refused of one does not touch the other.
+void comparePairs(Prober& prober, Findings& findings) {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    RandomInputs random(25);
+    std::vector<In> inputs;
+    std::uint32_t expectedRefusals = 0;
+    for (std::uint32_t i = 0; i < 400; ++i) {
+        In in{.color = random.inBox(glm::vec3(0), glm::vec3(1e6F)), .met = 1};
+        in.second = glm::vec4(random.inBox(glm::vec3(0), glm::vec3(10)), 0);
+        for (auto& sum : in.sums) sum = {random.bits(), 0xffffffffU, random.below(7), 0};
+        if ((i & 1U) != 0) in.color[static_cast<int>(i % 3)] = nan;
+        if ((i & 2U) != 0) in.second[static_cast<int>(i % 3)] = -1;
+        expectedRefusals += (i & 1U) + (i >> 1U & 1U);
+        inputs.push_back(in);
+    }
+    const auto [out, refused] = run(prober, inputs);
+    const auto scope = findings.inputs([&](std::size_t i) {
+        return fmt::format("addContributions of {} and {}", show(inputs[i].color), show(glm::vec3(inputs[i].second)));
+    });
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        findings.at(i);
+        for (int c = 0; c < 3; ++c) {
+            U128 sum = wide(inputs[i].sums[c]);
+            if ((i & 1U) == 0) sum += exactFixedPoint(inputs[i].color[c]);
+            if ((i & 2U) == 0) sum += exactFixedPoint(inputs[i].second[c]);
+            findings.equal("sum of two", glm::uvec3(out[i].sums[c]), wordsOf(sum % kModulus));
+        }
+    }
+    findings.equal("count of refusals", refused, expectedRefusals);
+}
+
 void compareMinusZero(Prober& prober, Findings& findings) {
     const std::vector<In> inputs = {{.color = {-0.0F, 1, -0.0F}}};
     const auto [out, refused] = run(prober, inputs);
-    const auto scope = findings.inputs([&](std::size_t) { return std::string("addContribution of (-0, 1, -0)"); });
+    const auto scope = findings.inputs([&](std::size_t) { return std::string("addContributions of (-0, 1, -0)"); });
     findings.at(0);
     findings.equal("count of refusals", refused, 0U);
     findings.equal("sum", glm::uvec3(out[0].sums[0]), glm::uvec3(0));
@@ -219,6 +251,7 @@ void checkFixedPoint(VerifyContext& context, Findings& findings) {
     compareNegative(context.prober(), findings);
     for (const std::uint32_t filter : {kFilterGaussian, kFilterMitchell})
         compareRefusals(context.prober(), findings, filter);
+    comparePairs(context.prober(), findings);
     compareMinusZero(context.prober(), findings);
 }
 
