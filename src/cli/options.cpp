@@ -234,7 +234,7 @@ void addDeviceOptions(CLI::App& app, BackendOptions& options) {
         ->group(group);
     app.add_flag("--validate", options.validate, "turn Vulkan's validation layers on")->group(group);
     addParsed(app, "--nthreads", options.threads, numberWithin(1U), "N",
-              "threads of the host, and of lavapipe (default: all)", kCount)
+              "threads of the host, and of lavapipe (default: all, and of lavapipe three a core)", kCount)
         ->group(group);
 }
 

@@ -1,24 +1,24 @@
 #include "cli/thread_limit.h"
 
 #include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
 
 #include <cstdlib>
 #include <optional>
 #include <string>
-#include <thread>
 
 #include "base/cpu.h"
 
 namespace vkpt {
 namespace {
 
-/// Lavapipe gives each of its threads the same share of a dispatch at once. Several a core level out what one is late
-/// by.
+/// Lavapipe gives each of its threads the same share of a dispatch beforehand. With several a core no core waits long
+/// for the slowest.
 constexpr unsigned kDriverThreadsACore = 3;
 
 std::string driverThreads(unsigned threads) {
-    const unsigned all = kDriverThreadsACore * std::thread::hardware_concurrency();
-    return threads > 0 ? std::to_string(threads) : all > 0 ? std::to_string(all) : std::string();
+    const unsigned all = kDriverThreadsACore * static_cast<unsigned>(tbb::info::default_concurrency());
+    return std::to_string(threads > 0 ? threads : all);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "cli/thread_limit.h"
 
 #include <gtest/gtest.h>
+#include <oneapi/tbb/info.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -59,7 +60,7 @@ TEST(ThreadLimit, WithoutALimitTheDriverHasSeveralThreadsACore) {
         const ThreadLimit none(0);
         const char* threads = std::getenv("LP_NUM_THREADS");
         ASSERT_NE(threads, nullptr);
-        EXPECT_GT(std::stoul(threads), std::thread::hardware_concurrency());
+        EXPECT_GT(std::stoul(threads), static_cast<unsigned>(tbb::info::default_concurrency()));
     }
     EXPECT_EQ(std::getenv("LP_NUM_THREADS"), nullptr);
 }
