@@ -1,4 +1,4 @@
-// Rays to lights, which kernel shadow traces.
+// Rays to lights, which kernel shadow traces, or shade itself (kInlineShadows).
 struct ShadowItem {
     vec3 origin, target, radiance;   // target: from the origin to the light, or a direction; radiance 0: no ray
     float tMax;

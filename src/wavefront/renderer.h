@@ -86,8 +86,9 @@ public:
     /// of what may be selected.
     void select(std::uint32_t seed, std::uint32_t begin, std::uint32_t end);
     /// Renders the options' sample range of `pixelCount` pixels from `firstPixel` on (row by row, within one band of
-    /// the film) in one batch, and shows `observer` the device after every kernel. Throws Error (Usage) where the
-    /// paths exceed WavefrontConfig::pathsInFlight or the band.
+    /// the film) in one batch, and shows `observer` the device after every kernel; where shade traces shadow rays
+    /// itself, a variant runs that has a stage for them. Throws Error (Usage) where the paths exceed
+    /// WavefrontConfig::pathsInFlight or the band.
     [[nodiscard]] ObservedFilm observe(std::uint32_t firstPixel, std::uint32_t pixelCount,
                                        const StageObserver& observer);
     /// What is allocated on the device, a line each.
