@@ -11,7 +11,8 @@ float weightOfLightSample(float pdfLight, float pdfBsdf) {
     return misWeight(lightSamples() * pdfLight, bsdfSamples() * pdfBsdf, render.beta);
 }
 
-// Of a light that light samples reach, too, and that a BSDF sample met. pdfBsdf is negative for camera rays and mirrors.
+// Of a light that light samples reach, too, and that a BSDF sample met. pdfBsdf is negative for camera rays and mirrors,
+// pdfLight 0 where light samples do not reach it from there.
 float weightOfBsdfSample(float pdfBsdf, float pdfLight) {
     if (pdfBsdf < 0.0 || kStrategy == kStrategyBsdf) return 1.0;
     if (kStrategy == kStrategyLight) return pdfLight > 0.0 ? 0.0 : 1.0;

@@ -1,6 +1,6 @@
 #version 460
-// In: three channels, what was met; a sum a channel; three channels more. Out: addContributions' sums; toFixedPoint of the channels;
-// addFixed of the red and green sums; refused.
+// In: a contribution, what was met; a sum a channel; a second contribution. Out: addContributions' sums; of the first,
+// toFixedPoint of its channels; addFixed of the red and green sums; whether the first is refused.
 #extension GL_GOOGLE_include_directive : require
 const uint kInputWords = 5u, kOutputWords = 7u;
 #include "probes/probe.glsl"

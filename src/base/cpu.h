@@ -3,8 +3,8 @@
 
 namespace vkpt {
 
-/// Whether vectors of 512 bits are worth their registers: AVX-512 on AMD's processors from family 26 (Zen 5) on.
-/// Earlier ones take two steps; those of other makers have not been measured.
+/// Whether vectors of 512 bits are known to be faster than those of 256: AVX-512 on AMD's processors from family 26
+/// (Zen 5) on. Earlier ones take two steps; those of other makers have not been measured.
 [[nodiscard]] bool computes512Bits();
 
 }  // namespace vkpt

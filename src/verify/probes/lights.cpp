@@ -118,7 +118,9 @@ void compareEveryKind(Prober& prober, Findings& findings) {
     RandomInputs random(40);
     for (int i = 0; i < 24; ++i) map.texels.push_back(random.inBox({0, 0, 0}, {1, 1, 1}));
     addEnvironment(arrays, map, 3, 25);
-    compareSamples(prober, findings, arrays, pointsAtEdges(arrays, 44));
+    const Lit beside = compareSamples(prober, findings, arrays, pointsAtEdges(arrays, 44));
+    for (const std::uint32_t kind : {kLightTriangle, kLightTriangleTwoSided})
+        findings.atLeast("samples lit beside edges", beside[kind], 1000);
     const Lit lit = compareSamples(prober, findings, arrays, pointsAmong(16000, 41));
     for (const int count : lit) findings.atLeast("samples lit by each kind", count, 31);
 }
