@@ -1,8 +1,8 @@
 """Measures every sampler: its error on scenes, and what it costs. Prints Markdown tables, writes JSON.
 
 Error: relMSE of `vkpt diff`, mean over seeds, over that of `random` at as many samples. Cost: CPU time of the runs of
-`vkpt bench`, over that of `random`; samplers take turns and the least of all turns counts. Beside it the same by paths a
-second, which other processes disturb more.
+`vkpt bench`, over that of `random` a moment before, since machines have slow minutes; the median of some turns. Beside it
+the same by paths a second, which other processes disturb more.
 """
 import concurrent.futures
 import json
@@ -79,18 +79,23 @@ def scene_errors(folder, scene, options, size, seeds, reference_spp, names):
 
 
 def cost(names, spp, size, turns):
-    """Least CPU time and most paths a second of each."""
-    best = {name: {"cpuSecondsAMillionPaths": float("inf"), "millionPathsPerSecond": 0.0} for name in names}
+    """Least CPU time and most paths a second of each, and the medians of what they are beside `random` just before."""
+    def bench(sampler):
+        report = json.loads(vkpt.run("bench", "--backend", "vulkan", "--size", f"{size}x{size}", "--spp", spp,
+                                     "--sampler", sampler, "--repeat", 3, "--json"))
+        runs, paths = report["results"][0], size * size * report["settings"]["spp"]
+        return min(runs["runCpuSeconds"]) / paths * 1e6, runs["millionPathsPerSecond"]
+
+    pairs_of = {name: [] for name in names}
     for _ in range(turns):
-        for sampler in names:
-            report = json.loads(vkpt.run("bench", "--backend", "vulkan", "--size", f"{size}x{size}", "--spp", spp,
-                                         "--sampler", sampler, "--repeat", 3, "--json"))
-            runs, found = report["results"][0], best[sampler]
-            paths = size * size * report["settings"]["spp"]
-            seconds = min(runs["runCpuSeconds"]) / paths * 1e6
-            found["cpuSecondsAMillionPaths"] = min(found["cpuSecondsAMillionPaths"], seconds)
-            found["millionPathsPerSecond"] = max(found["millionPathsPerSecond"], runs["millionPathsPerSecond"])
-    return best
+        for name in names:
+            base = bench("random")
+            pairs_of[name].append((base, base if name == "random" else bench(name)))
+    return {name: {"cpuSecondsAMillionPaths": min(own[0] for _, own in pairs),
+                   "millionPathsPerSecond": max(own[1] for _, own in pairs),
+                   "cpuOverRandom": float(np.median([own[0] / base[0] for base, own in pairs])),
+                   "timeOverRandom": float(np.median([base[1] / own[1] for base, own in pairs]))}
+            for name, pairs in pairs_of.items()}
 
 
 def markdown(header, rows):
@@ -110,15 +115,9 @@ def error_table(found):
 
 
 def cost_table(found):
-    """Ratios to random: of CPU time, in brackets of paths a second."""
-    names = list(next(iter(found.values())))
-
-    def cell(best, name):
-        cpu = best[name]["cpuSecondsAMillionPaths"] / best["random"]["cpuSecondsAMillionPaths"]
-        paths = best["random"]["millionPathsPerSecond"] / best[name]["millionPathsPerSecond"]
-        return f"{cpu:.2f} ({paths:.2f})"
-
-    rows = [[name] + [cell(best, name) for best in found.values()] for name in names]
+    """Over random: CPU time, in brackets time by paths a second."""
+    rows = [[name] + [f"{of[name]['cpuOverRandom']:.2f} ({of[name]['timeOverRandom']:.2f})" for of in found.values()]
+            for name in next(iter(found.values()))]
     return markdown(["sampler", *(f"{spp} spp" for spp in found)], rows)
 
 
@@ -128,7 +127,7 @@ def save(output, report):
 
 def measure(output, assets, quick):
     """Saves after every scene, so that a run cut short is not lost."""
-    size, reference_spp, turns = (32, 256, 1) if quick else (64, 16384, 4)
+    size, reference_spp, turns = (32, 256, 1) if quick else (64, 16384, 5)
     names = samplers()
     report = {"size": size, "reference": {"spp": reference_spp, "seed": REFERENCE_SEED}, "errors": {}}
     report["cost"] = {spp: cost(names, spp, (256 if quick else 1024) // int(spp ** 0.5), turns) for spp in (16, 64)}
